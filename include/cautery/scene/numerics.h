@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/base/parameters.h>
+
+namespace Cautery
+{
+  /**
+   * How linear systems are solved. All matrices are symmetric and positive definite.
+   */
+  struct LinearSolverSettings
+  {
+    enum class Method
+    {
+      automatic,
+      direct,
+      cg_incomplete_cholesky,
+      cg_amg
+    };
+
+    Method       method         = Method::automatic;
+    double       tolerance      = 1e-9;  ///< on the residual's norm, relative to the largest right-hand side so far
+    unsigned int max_iterations = 2000;
+    unsigned int guesses        = 16; ///< earlier solutions that the initial guess is combined from; 0: start from zero
+
+    void parameters(Parameters &p);
+  };
+
+  /**
+   * Space discretisation and solvers: section "Numerics".
+   */
+  struct Numerics
+  {
+    enum class CapacityMatrix
+    {
+      consistent,
+      lumped
+    };
+    enum class DisplacementAt
+    {
+      automatic,
+      every_step,
+      output_times
+    };
+
+    unsigned int         degree              = 1;
+    CapacityMatrix       capacity_matrix     = CapacityMatrix::consistent;
+    DisplacementAt       displacement_at     = DisplacementAt::automatic;
+    double               iteration_tolerance = 1e-8; ///< of the nonlinear iteration in a step, K
+    unsigned int         max_iterations      = 50;
+    LinearSolverSettings heat_solver;
+    LinearSolverSettings deformation_solver;
+
+    void parameters(Parameters &p);
+  };
+
+  /**
+   * The course of time: section "Time".
+   */
+  struct TimeSettings
+  {
+    enum class Integrator
+    {
+      backward_euler,
+      ida
+    };
+
+    double       end                = 120.; ///< s
+    double       step               = 1.;   ///< s
+    Integrator   integrator         = Integrator::backward_euler;
+    double       relative_tolerance = 1e-5; ///< IDA
+    double       absolute_tolerance = 1e-4; ///< IDA, K
+    unsigned int max_steps          = 1000000;
+
+    void parameters(Parameters &p);
+  };
+} // namespace Cautery

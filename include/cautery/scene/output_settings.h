@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/base/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace Cautery
+{
+  /**
+   * Named places whose values are written to probes.csv.
+   */
+  struct Probe
+  {
+    std::string name;
+    Point<3>    place; ///< m
+  };
+
+  /**
+   * What a run writes: section "Output".
+   */
+  struct OutputSettings
+  {
+    std::string              directory;       ///< empty: "output/" and the scene's name
+    std::vector<double>      times;           ///< s, besides the interval's
+    double                   interval = 0.;   ///< s; 0: only `times` and the end
+    bool                     fields   = true; ///< solution.pvd
+    std::vector<std::string> probe_names;
+    std::vector<Point<3>>    probe_places; ///< m
+    Point<3>                 ablation_centre;
+    bool                     every_step = false; ///< a line per step in the log
+
+    /** All output times in (0, end], rising, with the end (s). */
+    std::vector<double> output_times(const double end) const;
+    std::vector<Probe>  probes() const;
+
+    void parameters(Parameters &p);
+  };
+} // namespace Cautery

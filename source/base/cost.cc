@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/cost.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <iostream>
+
+namespace Cautery
+{
+  Cost::Cost()
+    : timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
+  {}
+
+  std::map<std::string, double> Cost::seconds_by_part() const
+  {
+    return timer.get_summary_data(TimerOutput::total_wall_time);
+  }
+
+  std::map<std::string, double> Cost::seconds_by_effect() const
+  {
+    std::map<std::string, double> effects;
+    for (const auto &[part, seconds] : seconds_by_part())
+      effects[part.substr(0, part.find(':'))] += seconds;
+    return effects;
+  }
+
+  double Cost::wall_seconds() const
+  {
+    return total.wall_time();
+  }
+
+  double Cost::peak_memory()
+  {
+    Utilities::System::MemoryStats stats;
+    Utilities::System::get_memory_stats(stats);
+    return 1024. * stats.VmHWM;
+  }
+} // namespace Cautery

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/expression.h>
+#include <cautery/base/parameters.h>
+
+#include <deal.II/base/function_parser.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+
+#include <charconv>
+#include <cmath>
+#include <regex>
+
+namespace Cautery
+{
+  namespace
+  {
+    std::optional<double> plain_number(const std::string &text)
+    {
+      const std::string bare  = Utilities::trim(text);
+      double            value = 0.;
+      const auto        end   = bare.data() + bare.size();
+      const auto        found = std::from_chars(bare.data(), end, value);
+      if (found.ec == std::errc() && found.ptr == end && std::isfinite(value))
+        return value;
+      return {};
+    }
+
+    /// muParser compiles at the first evaluation only: evaluate once, so that a bad text is told at the start.
+    template <int n_variables>
+    std::shared_ptr<FunctionParser<n_variables>>
+    compile(const std::string &text, const std::string &variables, const bool with_time)
+    {
+      const std::map<std::string, double> constants = {{"pi", numbers::PI}};
+      auto                                parser    = std::make_shared<FunctionParser<n_variables>>(1);
+      try
+        {
+          parser->initialize(variables, text, constants, with_time);
+          parser->value(Point<n_variables>());
+        }
+      catch (const std::exception &)
+        {
+          AssertThrow(false,
+                      ExcInput("this is neither a number nor an expression in " + variables +
+                               "; functions are those of muParser (sin, exp, sqrt, if, ...)"));
+        }
+      return parser;
+    }
+
+    double checked(const double value, const std::string &text, const std::string &where)
+    {
+      AssertThrow(std::isfinite(value),
+                  ExcRun("the expression `" + text + "` has no finite value at " + where +
+                         "; change the expression or its range"));
+      return value;
+    }
+  } // namespace
+
+  Expression::Expression(const double constant)
+    : source(to_text(constant))
+    , constant(constant)
+  {}
+
+  Expression::Expression(const std::string &text)
+    : source(Utilities::trim(text))
+    , constant(plain_number(text))
+    , uses_time(!constant && std::regex_search(text, std::regex("\\bt\\b")))
+  {
+    if (!constant)
+      parser = compile<3>(source, "x,y,z,t", true);
+  }
+
+  double Expression::value(const Point<3> &place, const double time) const
+  {
+    if (constant)
+      return *constant;
+    parser->set_time(time);
+    const double result = parser->value(place);
+    if (!std::isfinite(result)) // the text of the place is costly: only where it is needed
+      checked(result,
+              source,
+              "(" + to_text(place[0]) + ", " + to_text(place[1]) + ", " + to_text(place[2]) + ") m, " +
+                to_text(time) + " s");
+    return result;
+  }
+
+  Tensor<1, 3> VectorExpression::value(const Point<3> &place, const double time) const
+  {
+    Tensor<1, 3> result;
+    for (unsigned int c = 0; c < 3; ++c)
+      result[c] = components[c].value(place, time);
+    return result;
+  }
+
+  bool VectorExpression::depends_on_time() const
+  {
+    return components[0].depends_on_time() || components[1].depends_on_time() || components[2].depends_on_time();
+  }
+
+  std::string VectorExpression::text() const
+  {
+    return components[0].text() + "; " + components[1].text() + "; " + components[2].text();
+  }
+
+  TemperatureFunction::TemperatureFunction(const double constant)
+    : source(to_text(constant))
+    , constant(constant)
+  {}
+
+  TemperatureFunction::TemperatureFunction(const std::string &text)
+    : source(Utilities::trim(text))
+    , constant(plain_number(text))
+  {
+    if (constant)
+      return;
+    if (source.find(':') == std::string::npos)
+      {
+        parser = compile<1>(source, "T", false);
+        return;
+      }
+    for (const auto &row : Utilities::split_string_list(source, ','))
+      {
+        const auto columns     = Utilities::split_string_list(row, ':');
+        const auto temperature = columns.empty() ? std::nullopt : plain_number(columns.front());
+        const auto value       = columns.empty() ? std::nullopt : plain_number(columns.back());
+        AssertThrow(columns.size() == 2 && temperature && value,
+                    ExcInput("a table is written `temperature: value, temperature: value, ...`"));
+        AssertThrow(table.empty() || table.back().first < *temperature,
+                    ExcInput("the temperatures of a table must rise from entry to entry"));
+        table.emplace_back(*temperature, *value);
+      }
+  }
+
+  namespace
+  {
+    using Table = std::vector<std::pair<double, double>>;
+
+    double interpolate(const Table &table, const double temperature)
+    {
+      const auto above = std::upper_bound(table.begin(),
+                                          table.end(),
+                                          temperature,
+                                          [](const double t, const auto &row) { return t < row.first; });
+      if (above == table.begin())
+        return table.front().second;
+      if (above == table.end())
+        return table.back().second;
+      const auto  &below = *(above - 1);
+      const double share = (temperature - below.first) / (above->first - below.first);
+      return below.second + share * (above->second - below.second);
+    }
+
+    /// @p f must be smooth in between; two points are exact for a straight line.
+    template <typename Function>
+    double gauss(const Function &f, const double from, const double to, const unsigned int n_points)
+    {
+      const QGauss<1> rule(n_points);
+      double          sum = 0.;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        sum += rule.weight(q) * f(from + rule.point(q)[0] * (to - from));
+      return sum * (to - from);
+    }
+  } // namespace
+
+  double TemperatureFunction::value(const double temperature) const
+  {
+    if (constant)
+      return *constant;
+    if (parser)
+      return checked(parser->value(Point<1>(temperature)), source, "T = " + to_text(temperature) + " K");
+    return interpolate(table, temperature);
+  }
+
+  double TemperatureFunction::integral(const double from, const double to) const
+  {
+    if (constant)
+      return *constant * (to - from);
+    if (to < from)
+      return -integral(to, from);
+    const auto f = [this](const double temperature) { return value(temperature); };
+    if (parser)
+      return gauss(f, from, to, 8);
+
+    double sum   = 0.;
+    double start = from;
+    for (const auto &row : table)
+      if (row.first > start && row.first < to)
+        {
+          sum += gauss(f, start, row.first, 2);
+          start = row.first;
+        }
+    return sum + gauss(f, start, to, 2);
+  }
+
+  std::vector<double> TemperatureFunction::known_values() const
+  {
+    if (constant)
+      return {*constant};
+    std::vector<double> values;
+    for (const auto &row : table)
+      values.push_back(row.second);
+    return values;
+  }
+} // namespace Cautery

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/scene/numerics.h>
+
+namespace Cautery
+{
+  void LinearSolverSettings::parameters(Parameters &p)
+  {
+    p.entry("Method",
+            method,
+            Choices<Method>{{"automatic", Method::automatic},
+                            {"direct", Method::direct},
+                            {"CG + incomplete Cholesky", Method::cg_incomplete_cholesky},
+                            {"CG + AMG", Method::cg_amg}},
+            "How the linear systems are solved; automatic: by size");
+    p.entry("Tolerance",
+            tolerance,
+            "",
+            "Norm of the residual, relative to the largest right-hand side of the run so far",
+            Bounds::between_open(0., 1.));
+    p.entry("Largest number of iterations", max_iterations, "After which the run fails", Bounds{1., 1e9, false, false});
+    p.entry("Remembered solutions",
+            guesses,
+            "Earlier solutions that the initial guess is combined from",
+            Bounds::between(0, 200));
+  }
+
+  void Numerics::parameters(Parameters &p)
+  {
+    p.entry("Element degree", degree, "Polynomial degree of the finite elements", Bounds::between(1, 2));
+    p.entry("Capacity matrix",
+            capacity_matrix,
+            Choices<CapacityMatrix>{{"consistent", CapacityMatrix::consistent}, {"lumped", CapacityMatrix::lumped}},
+            "Lumped (degree 1 only) keeps temperatures from undershooting near point sources");
+    p.entry("Displacement at",
+            displacement_at,
+            Choices<DisplacementAt>{{"automatic", DisplacementAt::automatic},
+                                    {"every step", DisplacementAt::every_step},
+                                    {"output times", DisplacementAt::output_times}},
+            "When a displacement in equilibrium is solved for; automatic: at every step only if an effect needs it");
+    p.entry("Iteration tolerance",
+            iteration_tolerance,
+            "K",
+            "Change of temperature at which the iteration for temperature-dependent terms ends",
+            Bounds::positive());
+    p.entry("Largest number of nonlinear iterations",
+            max_iterations,
+            "Per step, after which the run fails",
+            Bounds{1., 1e6, false, false});
+    p.section("Heat solver", [&]() { heat_solver.parameters(p); });
+    p.section("Deformation solver", [&]() { deformation_solver.parameters(p); });
+  }
+
+  void TimeSettings::parameters(Parameters &p)
+  {
+    p.entry("End", end, "s", "Duration of the run", Bounds::positive());
+    p.entry("Integrator",
+            integrator,
+            Choices<Integrator>{{"backward Euler", Integrator::backward_euler}, {"IDA", Integrator::ida}},
+            "Fixed steps, or SUNDIALS IDA with variable order and step");
+    p.entry("Step", step, "s", "Step of backward Euler; shortened to meet an output time", Bounds::positive());
+    p.entry("Relative tolerance",
+            relative_tolerance,
+            "",
+            "Of IDA's local error",
+            Bounds::between_open(0., 1.));
+    p.entry("Absolute tolerance", absolute_tolerance, "K", "Of IDA's local error", Bounds::positive());
+    p.entry("Largest number of steps", max_steps, "After which the run fails", Bounds{1., 4e9, false, false});
+  }
+} // namespace Cautery

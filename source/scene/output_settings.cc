@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/scene/output_settings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace Cautery
+{
+  std::vector<double> OutputSettings::output_times(const double end) const
+  {
+    std::vector<double> all = times;
+    if (interval > 0.)
+      for (unsigned int i = 1; i * interval < end * (1. - 1e-12); ++i)
+        all.push_back(i * interval);
+    all.push_back(end);
+    std::sort(all.begin(), all.end());
+    // 0.1 * 30 and 3 are the same time
+    const auto same = [end](const double a, const double b) { return std::abs(a - b) < 1e-12 * end; };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
+    return all;
+  }
+
+  std::vector<Probe> OutputSettings::probes() const
+  {
+    std::vector<Probe> result;
+    for (unsigned int i = 0; i < probe_names.size(); ++i)
+      result.push_back({probe_names[i], probe_places[i]});
+    return result;
+  }
+
+  void OutputSettings::parameters(Parameters &p)
+  {
+    p.entry("Directory", directory, "Where the run writes; empty: `output/` and the name of the scene's file");
+    p.entry("Interval", interval, "s", "Time between outputs; 0: only `Times` and the end", Bounds::non_negative());
+    p.entry("Times", times, "s", "Further output times", Bounds::positive());
+    p.entry("Fields", fields, "Write solution.pvd with its .vtu files at the output times");
+    p.entry("Probe names", probe_names, "Names of the probes");
+    p.entry("Probe places", probe_places, "m", "Places of the probes, x, y, z; separated by semicolons");
+    p.entry("Ablation centre", ablation_centre, "m", "Point from which the ablation radius is measured");
+    p.entry("Every step", every_step, "Write a line for every step to the log");
+    if (!p.reading())
+      return;
+    if (probe_names.size() != probe_places.size())
+      p.reject("Probe names",
+               join(probe_names),
+               "there are " + std::to_string(probe_names.size()) + " names for " +
+                 std::to_string(probe_places.size()) + " places; give each probe one of both");
+    const std::set<std::string> unique(probe_names.begin(), probe_names.end());
+    if (unique.size() != probe_names.size())
+      p.reject("Probe names", join(probe_names), "a name stands twice; names must differ");
+  }
+} // namespace Cautery

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/scene/scene.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace Cautery
+{
+  void DamageSettings::parameters(Parameters &p)
+  {
+    p.entry("Quadrature",
+            quadrature,
+            Choices<Quadrature>{{"exponential", Quadrature::exponential}, {"end of step", Quadrature::end_of_step}},
+            "How the rate of damage is integrated over a step: with a logarithm that runs straight, or with its value "
+            "at the end (thesis Eq. 6-24)");
+  }
+
+  bool Scene::thermal_properties_change() const
+  {
+    return effects.metabolism == Effects::Metabolism::q10 || effects.perfusion_stops_in_dead_tissue ||
+           std::any_of(tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.thermally_constant(); });
+  }
+
+  bool Scene::elastic_properties_change() const
+  {
+    return std::any_of(tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.elastically_constant(); });
+  }
+
+  namespace
+  {
+    using Path = std::vector<std::string>;
+
+    std::string override_text(const Override &given)
+    {
+      const auto  parts = Utilities::split_string_list(given.path, '/');
+      std::string text;
+      for (unsigned int i = 0; i + 1 < parts.size(); ++i)
+        text += "subsection " + parts[i] + "\n";
+      text += "set " + parts.back() + " = " + given.value + "\n";
+      for (unsigned int i = 0; i + 1 < parts.size(); ++i)
+        text += "end\n";
+      return text;
+    }
+
+    /**
+     * The scene's text with its overrides. Which entries exist depends on other entries (a subsection for each name,
+     * entries by a source's type), so these are peeked at before everything is declared.
+     */
+    class SceneText
+    {
+    public:
+      SceneText(const std::string &file_name, const std::vector<Override> &overrides)
+        : file_name(file_name)
+        , overrides(overrides)
+      {
+        std::ifstream file(file_name);
+        AssertThrow(file, ExcInput("the scene `" + file_name + "` cannot be read; give the path of a .prm file"));
+        std::ostringstream stream;
+        stream << file.rdbuf();
+        text = stream.str();
+      }
+
+      void parse(ParameterHandler &handler, const bool skip_undefined) const
+      {
+        parse(handler, text, file_name, skip_undefined);
+        for (const auto &given : overrides)
+          parse(handler, override_text(given), "--set \"" + given.path + "=" + given.value + "\"", skip_undefined);
+      }
+
+      std::string peek(const Path &sections, const std::string &name, const std::string &default_value) const
+      {
+        ParameterHandler handler;
+        for (const auto &section : sections)
+          handler.enter_subsection(section);
+        handler.declare_entry(name, default_value);
+        for (unsigned int i = 0; i < sections.size(); ++i)
+          handler.leave_subsection();
+        parse(handler, true);
+        return handler.get(sections, name);
+      }
+
+      std::vector<std::string> peek_names(const std::string &section, const std::string &default_names) const
+      {
+        const auto names = Utilities::split_string_list(peek({section}, "Names", default_names), ',');
+        const std::set<std::string> unique(names.begin(), names.end());
+        AssertThrow(unique.size() == names.size(),
+                    ExcInput(file_name + ": " + section + "/Names = " + join(names) +
+                             ": a name stands twice; names must differ"));
+        return names;
+      }
+
+    private:
+      static void parse(ParameterHandler  &handler,
+                        const std::string &text,
+                        const std::string &origin,
+                        const bool         skip_undefined)
+      {
+        std::istringstream stream(text);
+        try
+          {
+            handler.parse_input(stream, origin, "", skip_undefined);
+          }
+        catch (const ExceptionBase &exception)
+          {
+            std::ostringstream reason;
+            exception.print_info(reason);
+            AssertThrow(false,
+                        ExcInput(origin + ": " + Utilities::trim(reason.str()) +
+                                 " (`cautery parameters` lists every section and entry)"));
+          }
+      }
+
+      const std::string           file_name;
+      const std::vector<Override> overrides;
+      std::string                 text;
+    };
+
+    template <typename Item>
+    void named_sections(Parameters        &p,
+                        const std::string &section,
+                        const std::string &documentation,
+                        std::vector<Item> &items)
+    {
+      p.section(section, [&]() {
+        std::vector<std::string> names;
+        for (const auto &item : items)
+          names.push_back(item.name);
+        p.entry("Names", names, documentation);
+        for (auto &item : items)
+          p.section(item.name, [&]() { item.parameters(p); });
+      });
+    }
+
+    void tissue_sections(Scene &scene, Parameters &p)
+    {
+      named_sections(p, "Tissues", "Names of the tissues, each with a subsection", scene.tissues);
+      // Presets were applied before: stating them again keeps the complete scene readable.
+      p.section("Tissues", [&]() {
+        for (auto &tissue : scene.tissues)
+          p.section(tissue.name, [&]() {
+            std::string preset = tissue_presets().front();
+            p.entry("Preset", preset, "Values that are the defaults here [" + join(tissue_presets(), " | ") + "]");
+          });
+      });
+    }
+
+    void source_sections(Scene &scene, Parameters &p)
+    {
+      p.section("Heat sources", [&]() {
+        for (auto &source : scene.heat_sources)
+          p.section(source.name, [&]() {
+            std::string type = std::visit([](const auto &shape) { return std::string(shape.type); }, source.source);
+            p.entry("Type", type, "The source's type [" + join(heat_source_types(), " | ") + "]");
+          });
+      });
+      named_sections(p, "Heat sources", "Names of the heat sources, each with a subsection", scene.heat_sources);
+    }
+
+    /// The order in which a complete scene is written.
+    void scene_parameters(Scene &scene, Parameters &p)
+    {
+      p.entry("Title", scene.title, "What the scene is about");
+      p.entry("Dimension", scene.dimension, "Dimension of space; 2: plane strain", Bounds::between(2, 3));
+      p.section("Mesh", [&]() { scene.mesh.parameters(p); });
+      p.section("Effects", [&]() { scene.effects.parameters(p); });
+      p.section("Initial state", [&]() {
+        p.entry("Temperature",
+                scene.initial_temperature,
+                "K",
+                "At t = 0; an expression in x, y, z",
+                Bounds::non_negative());
+      });
+      tissue_sections(scene, p);
+      source_sections(scene, p);
+      named_sections(p, "Boundaries", "Names of the boundaries, each with a subsection", scene.boundaries);
+      p.section("Loads", [&]() {
+        p.entry("Gravity", scene.loads.gravity, "m/s2", "Acceleration, for the effect Gravity");
+      });
+      named_sections(p, "Loads", "Names of the point loads, each with a subsection", scene.loads.points);
+      p.section("Time", [&]() { scene.time.parameters(p); });
+      p.section("Numerics", [&]() { scene.numerics.parameters(p); });
+      p.section("Damage", [&]() { scene.damage.parameters(p); });
+      p.section("Output", [&]() { scene.output.parameters(p); });
+    }
+
+    template <typename Item>
+    std::vector<Item> named(const std::vector<std::string> &names)
+    {
+      std::vector<Item> items(names.size());
+      for (unsigned int i = 0; i < names.size(); ++i)
+        items[i].name = names[i];
+      return items;
+    }
+
+    /// A scene that has all named parts, with their defaults.
+    Scene skeleton(const SceneText &text)
+    {
+      Scene scene;
+      for (const auto &name : text.peek_names("Tissues", "tissue"))
+        {
+          scene.tissues.push_back(make_tissue(text.peek({"Tissues", name}, "Preset", tissue_presets().front())));
+          scene.tissues.back().name = name;
+        }
+      for (const auto &name : text.peek_names("Heat sources", ""))
+        {
+          const std::string type = text.peek({"Heat sources", name}, "Type", heat_source_types().front());
+          scene.heat_sources.push_back({name, Schedule(), make_heat_source(type)});
+        }
+      scene.boundaries   = named<Boundary>(text.peek_names("Boundaries", "outside"));
+      scene.loads.points = named<PointLoad>(text.peek_names("Loads", ""));
+      return scene;
+    }
+
+    void require(const bool condition, const std::string &message)
+    {
+      AssertThrow(condition, ExcInput(message));
+    }
+
+    void check_boundaries(const Scene &scene)
+    {
+      bool held = false;
+      for (const auto &boundary : scene.boundaries)
+        {
+          const std::string path = "Boundaries/" + boundary.name;
+          require(!scene.effects.has_heat() || boundary.thermal != Boundary::Thermal::missing,
+                  path + " has no thermal condition; set Thermal (e.g. insulated)");
+          require(!scene.effects.has_deformation() || boundary.mechanical != Boundary::Mechanical::missing,
+                  path + " has no mechanical condition; set Mechanical (e.g. free)");
+          held = held || boundary.mechanical == Boundary::Mechanical::fixed ||
+                 boundary.mechanical == Boundary::Mechanical::displacement ||
+                 boundary.mechanical == Boundary::Mechanical::roller;
+        }
+      require(held || scene.effects.deformation != Effects::Deformation::equilibrium,
+              "Boundaries: nothing holds the body, so it has no equilibrium; set Mechanical = fixed, roller or "
+              "displacement somewhere, or Effects/Deformation = inertia");
+    }
+
+    void check_properties(const Scene &scene)
+    {
+      for (const auto &tissue : scene.tissues)
+        require(scene.effects.temperature_dependent_properties ||
+                  (tissue.thermally_constant() && tissue.elastic.youngs_modulus.is_constant() &&
+                   tissue.expansion.coefficient.is_constant()),
+                "Tissues/" + tissue.name +
+                  " has a property that depends on temperature; set Effects/Temperature-dependent properties = on, "
+                  "or give a number");
+    }
+
+    void check_numerics(const Scene &scene)
+    {
+      const bool ida = scene.time.integrator == TimeSettings::Integrator::ida;
+      require(!ida || scene.effects.has_heat(), "Time/Integrator = IDA integrates heat; turn Effects/Heat on");
+      require(!ida || scene.effects.coupling != Effects::Coupling::two_way,
+              "Time/Integrator = IDA does not know two-way coupling; choose backward Euler or Coupling = expansion");
+      require(!ida || scene.effects.deformation != Effects::Deformation::inertia,
+              "Time/Integrator = IDA does not know inertia; choose backward Euler or Deformation = equilibrium");
+      require(scene.effects.coupling != Effects::Coupling::two_way || !scene.elastic_properties_change(),
+              "Effects/Coupling = two-way needs elastic properties that do not depend on temperature and "
+              "`Thermal stretch = linearised`");
+      require(scene.numerics.degree == 1 || scene.numerics.capacity_matrix == Numerics::CapacityMatrix::consistent,
+              "Numerics/Capacity matrix = lumped is for Element degree = 1 only");
+      for (unsigned int d = 0; d < scene.dimension; ++d)
+        require(scene.mesh.lower[d] < scene.mesh.upper[d],
+                "Mesh/Upper corner must lie above Lower corner in every coordinate");
+    }
+
+    void check(const Scene &scene)
+    {
+      require(!scene.tissues.empty(), "Tissues/Names is empty; name at least one tissue");
+      require(!scene.initial_temperature.depends_on_time(),
+              "Initial state/Temperature = " + scene.initial_temperature.text() + ": it cannot depend on t");
+      scene.effects.check();
+      check_boundaries(scene);
+      check_properties(scene);
+      check_numerics(scene);
+      for (const double time : scene.output.times)
+        require(time <= scene.time.end,
+                "Output/Times: " + to_text(time) + " s is after Time/End = " + to_text(scene.time.end) + " s");
+    }
+
+    std::string resolved(const std::string &path, const std::string &scene_file)
+    {
+      return std::filesystem::weakly_canonical(std::filesystem::absolute(scene_file).parent_path() / path).string();
+    }
+
+    std::string written(const ParameterHandler &handler, const ParameterHandler::OutputStyle style)
+    {
+      std::ostringstream stream;
+      handler.print_parameters(stream, style);
+      return stream.str();
+    }
+  } // namespace
+
+  Scene read_scene(const std::string &file_name, const std::vector<Override> &overrides)
+  {
+    const SceneText  text(file_name, overrides);
+    ParameterHandler handler;
+    try
+      {
+        Scene      scene = skeleton(text);
+        Parameters declaring(handler, Parameters::Mode::declare);
+        scene_parameters(scene, declaring);
+        text.parse(handler, false);
+
+        if (const std::string mesh = handler.get({"Mesh"}, "File name"); !mesh.empty())
+          {
+            handler.enter_subsection("Mesh");
+            handler.set("File name", resolved(mesh, file_name));
+            handler.leave_subsection();
+          }
+        Parameters reading(handler, Parameters::Mode::read);
+        scene_parameters(scene, reading);
+        check(scene);
+        scene.complete_text = written(handler,
+                                      ParameterHandler::PRM | ParameterHandler::Short |
+                                        ParameterHandler::KeepDeclarationOrder);
+        return scene;
+      }
+    catch (const ExcInput &exception)
+      {
+        std::ostringstream reason;
+        exception.print_info(reason);
+        const std::string message = Utilities::trim(reason.str());
+        const bool        named   = message.find(file_name) == 0 || message.find("the scene") == 0 ||
+                           message.find("--set") == 0;
+        AssertThrow(false, ExcInput(named ? message : file_name + ": " + message));
+      }
+    return {};
+  }
+
+  std::string parameter_reference()
+  {
+    Scene scene;
+    scene.tissues.push_back(make_tissue(tissue_presets().front()));
+    scene.tissues.back().name = "tissue";
+    for (const auto &type : heat_source_types())
+      scene.heat_sources.push_back({type, Schedule(), make_heat_source(type)});
+    scene.boundaries   = named<Boundary>({"outside"});
+    scene.loads.points = named<PointLoad>({"pull"});
+
+    ParameterHandler handler;
+    Parameters       declaring(handler, Parameters::Mode::declare);
+    scene_parameters(scene, declaring);
+    return written(handler, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+  }
+} // namespace Cautery
