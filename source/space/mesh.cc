@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/space/box.h>
+#include <cautery/space/mesh.h>
+#include <cautery/space/mesh_file.h>
+
+#include <deal.II/distributed/fully_distributed_tria.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria_description.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace Cautery
+{
+  namespace
+  {
+    constexpr unsigned int root = 0;
+
+    template <int dim>
+    SubCellData boundary_faces(const PlainMesh<dim> &mesh)
+    {
+      SubCellData faces;
+      if constexpr (dim == 2)
+        faces.boundary_lines = mesh.faces;
+      else
+        faces.boundary_quads = mesh.faces;
+      return faces;
+    }
+
+    /** Runs @p work on the root process alone; where it rejects the input there, all processes reject it. */
+    template <typename Work>
+    void on_root(const MPI_Comm communicator, const Work &work)
+    {
+      std::string error;
+      if (Utilities::MPI::this_mpi_process(communicator) == root)
+        try
+          {
+            work();
+          }
+        catch (const ExcInput &exception)
+          {
+            std::ostringstream text;
+            exception.print_info(text);
+            error = Utilities::trim(text.str());
+          }
+      error = Utilities::MPI::broadcast(communicator, error, root);
+      AssertThrow(error.empty(), ExcInput(error));
+    }
+
+    template <typename Id>
+    std::set<Id> ids(const std::map<Id, std::string> &names,
+                     const std::vector<std::string>  &texts,
+                     const std::string               &kind,
+                     const std::string               &mesh)
+    {
+      std::set<Id> found;
+      for (const auto &text : texts)
+        {
+          bool known = false;
+          for (const auto &[id, name] : names)
+            if (text == "all" || text == name || text == std::to_string(id))
+              {
+                found.insert(id);
+                known = true;
+              }
+          std::vector<std::string> existing;
+          for (const auto &[id, name] : names)
+            existing.push_back(std::to_string(id) + (name.empty() ? "" : " `" + name + "`"));
+          AssertThrow(known,
+                      ExcInput("No " + kind + " `" + text + "` in the mesh " + mesh +
+                               "; give a name or number of: " + join(existing) + "; or all"));
+        }
+      return found;
+    }
+  } // namespace
+
+  template <int dim>
+  Mesh<dim>::Mesh(const MeshSettings &settings, const MPI_Comm communicator)
+    : mpi_communicator(communicator)
+    , label(settings.shape == MeshSettings::Shape::box ? "box" : "`" + settings.file_name + "`")
+  {
+    std::unique_ptr<Triangulation<dim>> whole;
+    on_root(communicator, [&]() { whole = make_whole(settings); });
+    distribute(std::move(whole));
+    share_description();
+
+    if (simplices())
+      linear_mapping = std::make_unique<MappingFE<dim>>(FE_SimplexP<dim>(1));
+    else
+      linear_mapping = std::make_unique<MappingQ<dim>>(1);
+    measure_volumes();
+  }
+
+  template <int dim>
+  std::unique_ptr<Triangulation<dim>> Mesh<dim>::make_whole(const MeshSettings &settings)
+  {
+    PlainMesh<dim> plain;
+    if (settings.shape == MeshSettings::Shape::box)
+      plain = make_box<dim>(settings);
+    else
+      {
+        plain = read_mesh_file<dim>(settings);
+        tidy(plain, "Mesh file " + label);
+      }
+    region_names  = plain.regions;
+    surface_names = plain.surfaces;
+    mended        = plain.notes;
+    box           = BoundingBox<dim>(plain.vertices);
+
+    auto whole = std::make_unique<Triangulation<dim>>();
+    whole->create_triangulation(plain.vertices, plain.cells, boundary_faces(plain));
+    whole->refine_global(settings.refinements);
+    vertices = whole->n_used_vertices();
+
+    const unsigned int n_processes = Utilities::MPI::n_mpi_processes(mpi_communicator);
+    AssertThrow(whole->n_active_cells() >= n_processes,
+                ExcInput("The mesh " + label + " has " + std::to_string(whole->n_active_cells()) + " cells for " +
+                         std::to_string(n_processes) + " processes; use fewer processes or smaller cells"));
+    return whole;
+  }
+
+  template <int dim>
+  void Mesh<dim>::distribute(std::unique_ptr<Triangulation<dim>> whole)
+  {
+    const unsigned int n_processes = Utilities::MPI::n_mpi_processes(mpi_communicator);
+    if (n_processes == 1)
+      {
+        cells = std::move(whole);
+        return;
+      }
+
+    using Description = TriangulationDescription::Description<dim, dim>;
+    std::map<unsigned int, Description> parts;
+    if (whole)
+      {
+        GridTools::partition_triangulation(n_processes, *whole, SparsityTools::Partitioner::metis);
+        for (unsigned int process = 0; process < n_processes; ++process)
+          parts[process] = TriangulationDescription::Utilities::create_description_from_triangulation(
+            *whole, mpi_communicator, TriangulationDescription::Settings::default_setting, process);
+        whole.reset();
+      }
+    const auto received    = Utilities::MPI::some_to_some(mpi_communicator, parts);
+    auto       distributed = std::make_unique<parallel::fullydistributed::Triangulation<dim>>(mpi_communicator);
+    distributed->create_triangulation(received.at(root));
+    cells = std::move(distributed);
+  }
+
+  template <int dim>
+  void Mesh<dim>::share_description()
+  {
+    region_names  = Utilities::MPI::broadcast(mpi_communicator, region_names, root);
+    surface_names = Utilities::MPI::broadcast(mpi_communicator, surface_names, root);
+    mended        = Utilities::MPI::broadcast(mpi_communicator, mended, root);
+    vertices      = Utilities::MPI::broadcast(mpi_communicator, vertices, root);
+    box = BoundingBox<dim>(Utilities::MPI::broadcast(mpi_communicator, box.get_boundary_points(), root));
+  }
+
+  template <int dim>
+  void Mesh<dim>::measure_volumes()
+  {
+    for (const auto &region : region_names)
+      region_volumes[region.first] = 0.;
+    for (const auto &cell : cells->active_cell_iterators())
+      if (cell->is_locally_owned())
+        region_volumes.at(cell->material_id()) += cell->measure();
+    for (auto &region : region_volumes)
+      region.second = Utilities::MPI::sum(region.second, mpi_communicator);
+  }
+
+  template <int dim>
+  double Mesh<dim>::volume() const
+  {
+    double sum = 0.;
+    for (const auto &region : region_volumes)
+      sum += region.second;
+    return sum;
+  }
+
+  template <int dim>
+  std::set<types::material_id> Mesh<dim>::region_ids(const std::vector<std::string> &texts) const
+  {
+    return ids(region_names, texts, "region", label);
+  }
+
+  template <int dim>
+  std::set<types::boundary_id> Mesh<dim>::surface_ids(const std::vector<std::string> &texts) const
+  {
+    return ids(surface_names, texts, "surface", label);
+  }
+
+  template class Mesh<2>;
+  template class Mesh<3>;
+} // namespace Cautery
