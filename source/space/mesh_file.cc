@@ -98,22 +98,24 @@ namespace Cautery
 
     void open(const MeshSettings &settings)
     {
-      std::string error;
+      std::string reason; // the log, since gmsh throws for a few errors only and keeps the last one from file to file
       try
         {
+          gmsh::logger::start();
           gmsh::merge(settings.file_name);
-          gmsh::logger::getLastError(error);
-        }
-      catch (const std::string &thrown)
-        {
-          error = thrown;
         }
       catch (...)
         {
-          error = "gmsh gives no reason";
+          reason = "gmsh gives no reason";
         }
-      AssertThrow(error.empty(),
-                  ExcInput(name_of(settings) + " cannot be read (" + error +
+      std::vector<std::string> messages;
+      gmsh::logger::get(messages);
+      gmsh::logger::stop();
+      for (const auto &message : messages)
+        if (message.find("Error") == 0)
+          reason = message;
+      AssertThrow(reason.empty(),
+                  ExcInput(name_of(settings) + " cannot be read (" + reason +
                            "): it may be cut off or of another format; open it in gmsh and export it again as .msh"));
     }
 

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -13,7 +14,8 @@ namespace Cautery
     /// In reference coordinates: what rounding does to a place that was meant to lie on a face.
     constexpr double tolerance = 1e-9;
 
-    using Number = std::uint64_t;
+    /// Signed: Open MPI 4.1 compares unsigned numbers of 64 bits as if they were signed.
+    using Number = std::int64_t;
 
     /** A cell's number in the undistributed mesh, the same for any number of processes. */
     template <int dim>
