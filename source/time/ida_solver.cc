@@ -31,41 +31,22 @@ namespace Cautery
 
     struct Release
     {
-      void
-      operator()(SUNContext handle) const
-      {
-        SUNContext_Free(&handle);
-      }
-      void
-      operator()(SUNMatrix handle) const
-      {
-        SUNMatFreeEmpty(handle);
-      }
-      void
-      operator()(SUNLinearSolver handle) const
-      {
-        SUNLinSolFreeEmpty(handle);
-      }
-      void
-      operator()(void *handle) const
-      {
-        IDAFree(&handle);
-      }
+      void operator()(SUNContext handle) const { SUNContext_Free(&handle); }
+      void operator()(SUNMatrix handle) const { SUNMatFreeEmpty(handle); }
+      void operator()(SUNLinearSolver handle) const { SUNLinSolFreeEmpty(handle); }
+      void operator()(void *handle) const { IDAFree(&handle); }
     };
 
-    bool
-    is_finite(const BlockVector &vector)
+    bool is_finite(const BlockVector &vector)
     {
       for (unsigned int b = 0; b < vector.n_blocks(); ++b)
-        if (!std::all_of(vector.block(b).begin(), vector.block(b).end(), [](const double v) {
-              return std::isfinite(v);
-            }))
-          return false;
+        for (const double value : vector.block(b))
+          if (!std::isfinite(value))
+            return false;
       return true;
     }
 
-    std::string
-    remedy(const int flag)
+    std::string remedy(const int flag)
     {
       switch (flag)
         {
@@ -126,8 +107,7 @@ namespace Cautery
    */
   struct IdaSolver::Callbacks
   {
-    static int
-    residual(double time, N_Vector y, N_Vector y_dot, N_Vector result, void *solver)
+    static int residual(double time, N_Vector y, N_Vector y_dot, N_Vector result, void *solver)
     {
       auto &self = *static_cast<IdaSolver *>(solver);
       ++self.total.residual_evaluations;
@@ -142,17 +122,16 @@ namespace Cautery
         &values);
     }
 
-    static int
-    setup_jacobian(double   time,
-                   double   alpha,
-                   N_Vector y,
-                   N_Vector y_dot,
-                   N_Vector /*residual*/,
-                   SUNMatrix /*matrix*/,
-                   void *solver,
-                   N_Vector /*temporary*/,
-                   N_Vector /*temporary*/,
-                   N_Vector /*temporary*/)
+    static int setup_jacobian(double   time,
+                              double   alpha,
+                              N_Vector y,
+                              N_Vector y_dot,
+                              N_Vector /*residual*/,
+                              SUNMatrix /*matrix*/,
+                              void *solver,
+                              N_Vector /*temporary*/,
+                              N_Vector /*temporary*/,
+                              N_Vector /*temporary*/)
     {
       auto &self = *static_cast<IdaSolver *>(solver);
       ++self.total.jacobian_set_ups;
@@ -181,30 +160,20 @@ namespace Cautery
       return outcome == 0 ? SUNLS_SUCCESS : outcome > 0 ? SUNLS_PACKAGE_FAIL_REC : SUNLS_PACKAGE_FAIL_UNREC;
     }
 
-    static int
-    set_weights(N_Vector y, N_Vector weights, void *solver)
+    static int set_weights(N_Vector y, N_Vector weights, void *solver)
     {
       static_cast<IdaSolver *>(solver)->set_weights(*unwrap_nvector_const<BlockVector>(y),
                                                     *unwrap_nvector<BlockVector>(weights));
       return 0;
     }
 
-    static void
-    keep_message(int, const char *, const char *, char *text, void *solver)
+    static void keep_message(int, const char *, const char *, char *text, void *solver)
     {
       static_cast<IdaSolver *>(solver)->message = text;
     }
 
-    static SUNLinearSolver_Type
-    linear_solver_type(SUNLinearSolver)
-    {
-      return SUNLINEARSOLVER_DIRECT;
-    }
-    static int
-    clear_matrix(SUNMatrix)
-    {
-      return 0;
-    }
+    static SUNLinearSolver_Type linear_solver_type(SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; }
+    static int                  clear_matrix(SUNMatrix) { return 0; }
   };
 
 
@@ -219,22 +188,20 @@ namespace Cautery
     , max_steps(max_steps)
   {
     Assert(relative_tolerance >= 0., ExcMessage("The relative tolerance must not be negative."));
-    for (const double tolerance : absolute_tolerances)
-      {
-        (void)tolerance;
-        Assert(tolerance > 0., ExcMessage("Absolute tolerances must be positive: a value may be zero."));
-      }
+    Assert(std::all_of(absolute_tolerances.begin(),
+                       absolute_tolerances.end(),
+                       [](double a) { return a > 0.; }),
+           ExcMessage("Absolute tolerances must be positive: a value may be zero."));
   }
 
   IdaSolver::~IdaSolver() = default;
 
 
 
-  void
-  IdaSolver::restart(const double       time,
-                     const BlockVector &y,
-                     const BlockVector &y_dot,
-                     const double       initial_step)
+  void IdaSolver::restart(const double       time,
+                          const BlockVector &y,
+                          const BlockVector &y_dot,
+                          const double       initial_step)
   {
     AssertDimension(y.n_blocks(), absolute_tolerances.size());
     before_restart = total;
@@ -257,8 +224,7 @@ namespace Cautery
     check(IDASetErrHandlerFn(ida, &Callbacks::keep_message, this), "IDASetErrHandlerFn");
     check(IDASetUserData(ida, this), "IDASetUserData");
     check(IDAInit(ida, &Callbacks::residual, time, y_view, y_dot_view), "IDAInit");
-    // IDA's own tolerances would go through deal.II's entry-wise operations, which cost as much as a linear
-    // solve
+    // IDA's own tolerances would go through deal.II's entry-wise operations, which cost as much as a solve
     check(IDAWFtolerances(ida, &Callbacks::set_weights), "IDAWFtolerances");
     check(IDASetLinearSolver(ida, memory->linear_solver.get(), memory->matrix.get()), "IDASetLinearSolver");
     check(IDASetJacFn(ida, &Callbacks::setup_jacobian), "IDASetJacFn");
@@ -271,8 +237,7 @@ namespace Cautery
 
 
 
-  double
-  IdaSolver::step(BlockVector &y, BlockVector &y_dot, const double stop_time)
+  double IdaSolver::step(BlockVector &y, BlockVector &y_dot, const double stop_time)
   {
     Assert(memory, ExcMessage("restart() comes first."));
     AssertThrow(total.steps < max_steps,
@@ -297,8 +262,7 @@ namespace Cautery
 
 
 
-  void
-  IdaSolver::interpolate(const double time, BlockVector &y, BlockVector &y_dot) const
+  void IdaSolver::interpolate(const double time, BlockVector &y, BlockVector &y_dot) const
   {
     Assert(memory, ExcMessage("restart() comes first."));
     check(IDAGetDky(memory->ida.get(), time, 0, make_nvector_view(y, memory->context.get())), "IDAGetDky");
@@ -308,8 +272,7 @@ namespace Cautery
 
 
 
-  double
-  IdaSolver::estimated_error() const
+  double IdaSolver::estimated_error() const
   {
     Assert(memory, ExcMessage("restart() comes first."));
     BlockVector error(memory->layout);
@@ -324,8 +287,7 @@ namespace Cautery
 
 
 
-  void
-  IdaSolver::check(const int flag, const std::string &function) const
+  void IdaSolver::check(const int flag, const std::string &function) const
   {
     if (flag >= 0)
       return;
@@ -339,16 +301,15 @@ namespace Cautery
 
 
 
-  int
-  IdaSolver::guard(const std::function<void()> &callback, const BlockVector *result)
+  int IdaSolver::guard(const std::function<void()> &callback, const BlockVector *result)
   {
-    enum Outcome
+    enum Outcome : int
     {
       success,
       not_finite,
       failure
     };
-    unsigned int outcome = success;
+    int outcome = success;
     try
       {
         callback();
@@ -370,8 +331,7 @@ namespace Cautery
 
 
 
-  void
-  IdaSolver::set_weights(const BlockVector &y, BlockVector &weights) const
+  void IdaSolver::set_weights(const BlockVector &y, BlockVector &weights) const
   {
     for (unsigned int b = 0; b < y.n_blocks(); ++b)
       std::transform(y.block(b).begin(), y.block(b).end(), weights.block(b).begin(), [&](const double value) {
@@ -381,8 +341,7 @@ namespace Cautery
 
 
 
-  void
-  IdaSolver::update_statistics()
+  void IdaSolver::update_statistics()
   {
     long        steps = 0, error_test_failures = 0, convergence_failures = 0;
     int         order = 0;

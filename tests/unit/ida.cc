@@ -24,8 +24,7 @@ namespace Cautery::Test
 
   ConditionalOStream out(std::cout, false);
 
-  IndexSet
-  owned(const unsigned int size)
+  IndexSet owned(const unsigned int size)
   {
     const unsigned int processes = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int process   = Utilities::MPI::this_mpi_process(communicator);
@@ -45,14 +44,9 @@ namespace Cautery::Test
     std::function<void(const double time)>                      in_setup    = [](const double) {};
     std::function<void()>                                       in_solve    = []() {};
 
-    static double
-    rate(const unsigned int i)
-    {
-      return 0.5 + i / 10.;
-    }
+    static double rate(const unsigned int i) { return 0.5 + i / 10.; }
 
-    BlockVector
-    exact(const double time) const
+    BlockVector exact(const double time) const
     {
       BlockVector y({owned(size)}, communicator);
       for (const auto i : y.locally_owned_elements())
@@ -61,8 +55,7 @@ namespace Cautery::Test
       return y;
     }
 
-    BlockVector
-    exact_rate(const double time) const
+    BlockVector exact_rate(const double time) const
     {
       BlockVector y_dot = exact(time);
       for (const auto i : y_dot.locally_owned_elements())
@@ -80,18 +73,16 @@ namespace Cautery::Test
       in_residual(time, result);
     }
 
-    void
-    setup_jacobian(const double time,
-                   const BlockVector &,
-                   const BlockVector &,
-                   const double new_alpha) override
+    void setup_jacobian(const double time,
+                        const BlockVector &,
+                        const BlockVector &,
+                        const double new_alpha) override
     {
       alpha = new_alpha;
       in_setup(time);
     }
 
-    void
-    solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double) override
+    void solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double) override
     {
       for (const auto i : x.locally_owned_elements())
         x(i) = right_hand_side(i) / (alpha + rate(i));
@@ -101,6 +92,38 @@ namespace Cautery::Test
 
   private:
     double alpha = 0.;
+  };
+
+  /** y_i' + 10 y_i^4 = 0: the Jacobian changes with y. */
+  class Radiation : public ImplicitSystem
+  {
+  public:
+    static double exact(const double time) { return std::pow(1. + 30. * time, -1. / 3.); }
+
+    void residual(const double, const BlockVector &y, const BlockVector &y_dot, BlockVector &result) override
+    {
+      for (const auto i : y.locally_owned_elements())
+        result(i) = y_dot(i) + 10. * std::pow(y(i), 4);
+      result.compress(VectorOperation::insert);
+    }
+
+    void setup_jacobian(const double, const BlockVector &y, const BlockVector &, const double alpha) override
+    {
+      jacobian = y;
+      for (const auto i : y.locally_owned_elements())
+        jacobian(i) = alpha + 40. * std::pow(y(i), 3);
+      jacobian.compress(VectorOperation::insert);
+    }
+
+    void solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double) override
+    {
+      for (const auto i : x.locally_owned_elements())
+        x(i) = right_hand_side(i) / jacobian(i);
+      x.compress(VectorOperation::insert);
+    }
+
+  private:
+    BlockVector jacobian;
   };
 
   /**
@@ -138,15 +161,13 @@ namespace Cautery::Test
     }
 
     /** Of the discrete problem, so that errors are those of time integration alone. */
-    double
-    eigenvalue() const
+    double eigenvalue() const
     {
       const double c = std::cos(numbers::PI * h);
       return 6. / (h * h) * (1. - c) / (2. + c);
     }
 
-    void
-    set_jacobian(const double mass_factor)
+    void set_jacobian(const double mass_factor)
     {
       jacobian.copy_from(stiffness);
       jacobian.add(mass_factor, mass);
@@ -173,29 +194,25 @@ namespace Cautery::Test
     Bar    bar;
     double source = 1.;
 
-    void
-    residual(const double, const BlockVector &y, const BlockVector &y_dot, BlockVector &result) override
+    void residual(const double, const BlockVector &y, const BlockVector &y_dot, BlockVector &result) override
     {
       bar.mass.vmult(result.block(0), y_dot.block(0));
       bar.stiffness.vmult_add(result.block(0), y.block(0));
       result.block(0).add(-source, bar.load);
     }
 
-    void
-    setup_jacobian(const double, const BlockVector &, const BlockVector &, const double alpha) override
+    void setup_jacobian(const double, const BlockVector &, const BlockVector &, const double alpha) override
     {
       bar.set_jacobian(alpha);
     }
 
-    void
-    solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double tolerance) override
+    void solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double tolerance) override
     {
       Bar::solve(bar.jacobian, right_hand_side.block(0), x.block(0), tolerance);
     }
 
     /** T' that satisfies the equation. */
-    void
-    consistent_rate(const BlockVector &y, BlockVector &y_dot) const
+    void consistent_rate(const BlockVector &y, BlockVector &y_dot) const
     {
       Vector right_hand_side(bar.load);
       bar.stiffness.vmult(right_hand_side, y.block(0));
@@ -211,8 +228,7 @@ namespace Cautery::Test
     Bar    bar;
     double tau = 0.1;
 
-    void
-    residual(const double, const BlockVector &y, const BlockVector &y_dot, BlockVector &result) override
+    void residual(const double, const BlockVector &y, const BlockVector &y_dot, BlockVector &result) override
     {
       result.block(0) = y_dot.block(0);
       result.block(0) -= y.block(1);
@@ -232,8 +248,7 @@ namespace Cautery::Test
 
     /** dV = alpha dT - r0 turns the second row into (K + alpha (tau alpha + 1) M) dT = r1 + (tau alpha + 1) M
      * r0. */
-    void
-    solve_jacobian(const BlockVector &r, BlockVector &x, const double tolerance) override
+    void solve_jacobian(const BlockVector &r, BlockVector &x, const double tolerance) override
     {
       Vector reduced(r.block(1));
       bar.mass.vmult(reduced, r.block(0));
@@ -247,22 +262,19 @@ namespace Cautery::Test
     double alpha = 0.;
   };
 
-  double
-  largest_difference(BlockVector a, const BlockVector &b)
+  double largest_difference(BlockVector a, const BlockVector &b)
   {
     a -= b;
     return a.linfty_norm();
   }
 
-  double
-  largest_difference(Vector a, const double factor, const Vector &b)
+  double largest_difference(Vector a, const double factor, const Vector &b)
   {
     a.add(-factor, b);
     return a.linfty_norm();
   }
 
-  void
-  print_work(const IdaSolver &solver)
+  void print_work(const IdaSolver &solver)
   {
     const IdaSolver::Statistics &work = solver.statistics();
     out << "    steps " << work.steps << ", residuals " << work.residual_evaluations << ", set-ups "
@@ -272,8 +284,7 @@ namespace Cautery::Test
   }
 
   /** Steps to @p end; the largest estimated error on the way. */
-  double
-  march(IdaSolver &solver, BlockVector &y, BlockVector &y_dot, const double end)
+  double march(IdaSolver &solver, BlockVector &y, BlockVector &y_dot, const double end)
   {
     double largest_estimate = 0.;
     for (double time = -1.; time != end;)
@@ -284,8 +295,7 @@ namespace Cautery::Test
     return largest_estimate;
   }
 
-  void
-  test_decay()
+  void test_decay()
   {
     out << "y' = -k y to t = 2: error at the end and between steps, in tolerances" << std::endl;
     for (const double tolerance : {1e-3, 1e-5, 1e-7})
@@ -306,8 +316,26 @@ namespace Cautery::Test
       }
   }
 
-  void
-  test_diffusion()
+  void test_radiation()
+  {
+    out << "y' = -10 y^4 to t = 10: error in tolerances" << std::endl;
+    for (const double tolerance : {1e-4, 1e-6})
+      {
+        Radiation   radiation;
+        IdaSolver   solver(radiation, tolerance, {1e-3 * tolerance}, 10000);
+        BlockVector y({owned(Decay::size)}, communicator), y_dot = y;
+        y     = 1.;
+        y_dot = -10.;
+        solver.restart(0., y, y_dot);
+        march(solver, y, y_dot, 10.);
+        y.add(-Radiation::exact(10.));
+        out << "  " << tolerance << ": " << y.linfty_norm() / (tolerance * Radiation::exact(10.))
+            << std::endl;
+        print_work(solver);
+      }
+  }
+
+  void test_diffusion()
   {
     out << "M T' + K T = F, F on until t = 0.1: error at 0.1 and 0.3, in tolerances" << std::endl;
     for (const double tolerance : {1e-4, 1e-6})
@@ -338,8 +366,7 @@ namespace Cautery::Test
       }
   }
 
-  void
-  test_wave()
+  void test_wave()
   {
     out << "tau M T'' + M T' + K T = F to t = 1: error of T and T', in tolerances" << std::endl;
     for (const double tolerance : {1e-4, 1e-6})
@@ -363,8 +390,7 @@ namespace Cautery::Test
       }
   }
 
-  void
-  print(const ExcRun &exception)
+  void print(const ExcRun &exception)
   {
     std::ostringstream text;
     exception.print_info(text);
@@ -372,8 +398,7 @@ namespace Cautery::Test
   }
 
   /** Marches until an exception comes, and says which; y must then be that of the last good step. */
-  void
-  expect_failure(const std::string &title, Decay &decay, const unsigned int max_steps = 1000)
+  void expect_failure(const std::string &title, Decay &decay, const unsigned int max_steps = 1000)
   {
     out << title << std::endl;
     IdaSolver   solver(decay, 0., {1e-6}, max_steps);
@@ -402,8 +427,7 @@ namespace Cautery::Test
         << std::endl;
   }
 
-  void
-  test_failures()
+  void test_failures()
   {
     const bool thrower = Utilities::MPI::this_mpi_process(communicator) == 0;
     const auto fail    = [thrower](const bool now) {
@@ -462,8 +486,7 @@ namespace Cautery::Test
     }
   }
 
-  void
-  test_recovery()
+  void test_recovery()
   {
     out << "A residual that is not finite three times is only a reason for smaller steps" << std::endl;
     Decay        decay;
@@ -484,8 +507,7 @@ namespace Cautery::Test
   }
 } // namespace Cautery::Test
 
-int
-main(int argc, char **argv)
+int main(int argc, char **argv)
 {
   using namespace Cautery;
   using namespace Cautery::Test;
@@ -495,6 +517,7 @@ main(int argc, char **argv)
   deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
   test_decay();
+  test_radiation();
   test_diffusion();
   test_wave();
   test_failures();

@@ -26,20 +26,18 @@ namespace Cautery
     virtual void
     residual(const double time, const BlockVector &y, const BlockVector &y_dot, BlockVector &result) = 0;
 
-    /** Called whenever alpha (1/s) has changed, and when Newton's iteration does not converge with an older
-     * y. */
+    /** Called whenever alpha (1/s) has changed, and when Newton's iteration fails with that of an older y. */
     virtual void
     setup_jacobian(const double time, const BlockVector &y, const BlockVector &y_dot, const double alpha) = 0;
 
-    /** J x = right_hand_side, x being zero before, until |right_hand_side - J x| <= tolerance
-     * |right_hand_side|. */
+    /** J x = right_hand_side; x comes as zero. The tolerance is relative to the right-hand side's norm. */
     virtual void
     solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double tolerance) = 0;
   };
 
   /**
    * SUNDIALS' IDA: backward differentiation formulas of order one to five with a step chosen from the local
-   * error, one internal step at a time. (deal.II's own class ignores every error; see doc.)
+   * error, one internal step at a time. deal.II's own class ignores every error.
    *
    * The local error of y_i is held against relative_tolerance |y_i| + absolute_tolerance, the mean square
    * over all unknowns being at most one: a few unknowns among many may err by far more than their tolerance.
@@ -57,10 +55,9 @@ namespace Cautery
       unsigned long jacobian_set_ups     = 0;
       unsigned long linear_solves        = 0;
       unsigned long error_test_failures  = 0; ///< steps repeated because they were too inaccurate
-      unsigned long convergence_failures =
-        0; ///< steps repeated because Newton failed or a result was not finite
-      unsigned int last_order = 0;
-      double       last_step  = 0.; ///< s
+      unsigned long convergence_failures = 0; ///< steps repeated: Newton failed or a result was not finite
+      unsigned int  last_order           = 0;
+      double        last_step            = 0.; ///< s
     };
 
     /** @p absolute_tolerances: one for each block of y, positive, in the unit of the block. */
@@ -94,11 +91,7 @@ namespace Cautery
     double estimated_error() const;
 
     /** Since construction, over all restarts. */
-    const Statistics &
-    statistics() const
-    {
-      return total;
-    }
+    const Statistics &statistics() const { return total; }
 
   private:
     struct Memory;
