@@ -10,7 +10,8 @@ namespace Cautery
 {
   namespace
   {
-    /** Each corner of a small box is a number whose bit d says whether it is at the upper end in direction d. */
+    /** Each corner of a small box is a number whose bit d says whether it is at the upper end in direction d.
+     */
     using Corners = std::vector<unsigned int>;
 
     template <int dim>
@@ -91,7 +92,8 @@ namespace Cautery
         }
     }
 
-    /** The surface of the box that all @p vertices lie on, 0 for none. Vertices have the exact end coordinates. */
+    /** The surface of the box that all @p vertices lie on, 0 for none. Vertices have the exact end
+     * coordinates. */
     template <int dim>
     types::boundary_id surface_of(const PlainMesh<dim>            &mesh,
                                   const std::vector<unsigned int> &vertices,
@@ -146,9 +148,9 @@ namespace Cautery
     for_each_index<dim>(n_vertices, [&](const auto &index) {
       Point<dim> place;
       for (unsigned int d = 0; d < dim; ++d)
-        place[d] = (index[d] == counts[d] ?
-                      settings.upper[d] :
-                      settings.lower[d] + index[d] * (settings.upper[d] - settings.lower[d]) / counts[d]);
+        place[d] = (index[d] == counts[d]
+                      ? settings.upper[d]
+                      : settings.lower[d] + index[d] * (settings.upper[d] - settings.lower[d]) / counts[d]);
       mesh.vertices.push_back(place);
     });
 

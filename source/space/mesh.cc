@@ -117,8 +117,9 @@ namespace Cautery
 
     const unsigned int n_processes = Utilities::MPI::n_mpi_processes(mpi_communicator);
     AssertThrow(whole->n_active_cells() >= n_processes,
-                ExcInput("The mesh " + label + " has " + std::to_string(whole->n_active_cells()) + " cells for " +
-                         std::to_string(n_processes) + " processes; use fewer processes or smaller cells"));
+                ExcInput("The mesh " + label + " has " + std::to_string(whole->n_active_cells()) +
+                         " cells for " + std::to_string(n_processes) +
+                         " processes; use fewer processes or smaller cells"));
     return whole;
   }
 
@@ -142,9 +143,10 @@ namespace Cautery
             *whole, mpi_communicator, TriangulationDescription::Settings::default_setting, process);
         whole.reset();
       }
-    const auto received    = Utilities::MPI::some_to_some(mpi_communicator, parts);
-    auto       distributed = std::make_unique<parallel::fullydistributed::Triangulation<dim>>(mpi_communicator);
-    distributed->create_triangulation(received.at(root));
+    Description part = Utilities::MPI::some_to_some(mpi_communicator, parts).at(root);
+    part.comm        = mpi_communicator; // which does not travel
+    auto distributed = std::make_unique<parallel::fullydistributed::Triangulation<dim>>(mpi_communicator);
+    distributed->create_triangulation(part);
     cells = std::move(distributed);
   }
 

@@ -52,8 +52,9 @@ namespace Cautery
     {
       for (const auto &vertex : mesh.vertices)
         for (unsigned int d = 0; d < dim; ++d)
-          AssertThrow(numbers::is_finite(vertex[d]),
-                      ExcInput(name + ": a node has a coordinate that is not a finite number; export the mesh again"));
+          AssertThrow(
+            numbers::is_finite(vertex[d]),
+            ExcInput(name + ": a node has a coordinate that is not a finite number; export the mesh again"));
     }
 
     /** Two nodes at one place are usually two parts that were meshed without a common interface. */
@@ -67,8 +68,9 @@ namespace Cautery
       std::sort(places.begin(), places.end());
       const auto coinciding = places.end() - std::unique(places.begin(), places.end());
       if (coinciding > 0)
-        mesh.notes.push_back(std::to_string(coinciding) + " nodes lie exactly on others: nothing flows between the "
-                                                          "cells that they separate");
+        mesh.notes.push_back(std::to_string(coinciding) +
+                             " nodes lie exactly on others: nothing flows between the "
+                             "cells that they separate");
     }
 
     template <int dim>
@@ -85,9 +87,11 @@ namespace Cautery
           {
             const auto &first = mesh.cells[keys[i - 1].second], &second = mesh.cells[keys[i].second];
             AssertThrow(first.material_id == second.material_id,
-                        ExcInput(name + ": the cell " + place_of(mesh, first.vertices) + " is in two physical groups, " +
+                        ExcInput(name + ": the cell " + place_of(mesh, first.vertices) +
+                                 " is in two physical groups, " +
                                  group_text(mesh.regions, first.material_id) + " and " +
-                                 group_text(mesh.regions, second.material_id) + "; put each volume into one group"));
+                                 group_text(mesh.regions, second.material_id) +
+                                 "; put each volume into one group"));
             duplicate[keys[i].second] = true;
           }
 
@@ -102,11 +106,13 @@ namespace Cautery
     }
 
     /**
-     * The determinants of the edges that leave a corner, divided by the edges' lengths: one for a simplex, one for
-     * each corner of a quadrilateral or hexahedron, where vertex c ^ 2^d is the neighbour of vertex c in direction d.
+     * The determinants of the edges that leave a corner, divided by the edges' lengths: one for a simplex,
+     * one for each corner of a quadrilateral or hexahedron, where vertex c ^ 2^d is the neighbour of vertex c
+     * in direction d.
      */
     template <int dim>
-    std::vector<double> scaled_jacobians(const PlainMesh<dim> &mesh, const std::vector<unsigned int> &vertices)
+    std::vector<double> scaled_jacobians(const PlainMesh<dim>            &mesh,
+                                         const std::vector<unsigned int> &vertices)
     {
       const bool          simplex = (vertices.size() == dim + 1);
       std::vector<double> jacobians(simplex ? 1 : vertices.size());
@@ -117,7 +123,7 @@ namespace Cautery
           for (unsigned int d = 0; d < dim; ++d)
             {
               const unsigned int neighbour = simplex ? d + 1 : c ^ (1u << d);
-              edges[d] = mesh.vertices[vertices[neighbour]] - mesh.vertices[vertices[c]];
+              edges[d]                     = mesh.vertices[vertices[neighbour]] - mesh.vertices[vertices[c]];
               lengths *= (neighbour > c ? 1. : -1.) * edges[d].norm();
             }
           jacobians[c] = (lengths == 0. ? 0. : determinant(edges) / lengths);
@@ -132,8 +138,8 @@ namespace Cautery
       unsigned int turned    = 0;
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
         {
-          auto      &vertices  = mesh.cells[c].vertices;
-          const auto jacobians = scaled_jacobians(mesh, vertices);
+          auto      &vertices          = mesh.cells[c].vertices;
+          const auto jacobians         = scaled_jacobians(mesh, vertices);
           const auto [lowest, highest] = std::minmax_element(jacobians.begin(), jacobians.end());
           if (*lowest > round_off)
             continue;
@@ -146,7 +152,9 @@ namespace Cautery
           if (vertices.size() == dim + 1)
             std::swap(vertices[dim - 1], vertices[dim]);
           else
-            std::swap_ranges(vertices.begin(), vertices.begin() + vertices.size() / 2, vertices.begin() + vertices.size() / 2);
+            std::swap_ranges(vertices.begin(),
+                             vertices.begin() + vertices.size() / 2,
+                             vertices.begin() + vertices.size() / 2);
           ++turned;
         }
       if (turned > 0)
@@ -174,7 +182,8 @@ namespace Cautery
       for (auto face = faces.begin(), next = face; face != faces.end(); face = next)
         {
           next = std::find_if(face, faces.end(), [&](const Key &other) { return other != *face; });
-          const unsigned int n_vertices = std::find(face->begin(), face->end(), numbers::invalid_unsigned_int) - face->begin();
+          const unsigned int n_vertices =
+            std::find(face->begin(), face->end(), numbers::invalid_unsigned_int) - face->begin();
           AssertThrow(next - face <= 2,
                       ExcInput(name + ": more than two cells share the face " +
                                place_of(mesh, {face->begin(), face->begin() + n_vertices}) +
@@ -204,14 +213,16 @@ namespace Cautery
           AssertThrow(is_new || other == face.boundary_id,
                       ExcInput(name + ": the boundary face " + place_of(mesh, face.vertices) +
                                " is in two physical groups, " + group_text(mesh.surfaces, other) + " and " +
-                               group_text(mesh.surfaces, face.boundary_id) + "; put each surface into one group"));
+                               group_text(mesh.surfaces, face.boundary_id) +
+                               "; put each surface into one group"));
         }
 
       mesh.faces.clear();
       for (const auto &face : kept)
         mesh.faces.push_back(face.second);
       if (dropped > 0)
-        mesh.notes.push_back(std::to_string(dropped) + " faces of physical surfaces ignored: not on the boundary");
+        mesh.notes.push_back(std::to_string(dropped) +
+                             " faces of physical surfaces ignored: not on the boundary");
 
       std::map<types::boundary_id, std::string> surfaces;
       if (kept.size() < boundary.size())

@@ -40,7 +40,8 @@ namespace Cautery
             return unit;
         }
       catch (const typename Mapping<dim>::ExcTransformationFailed &)
-        {} // far outside a distorted quadrilateral or hexahedron the map has no inverse
+        {
+        } // far outside a distorted quadrilateral or hexahedron the map has no inverse
       return {};
     }
 
@@ -55,8 +56,7 @@ namespace Cautery
   } // namespace
 
   template <int dim>
-  PointLocator<dim>::PointLocator(const Mesh<dim> &mesh)
-    : mesh(mesh)
+  PointLocator<dim>::PointLocator(const Mesh<dim> &mesh) : mesh(mesh)
   {
     std::vector<std::pair<BoundingBox<dim>, Cell>> own;
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
@@ -70,8 +70,8 @@ namespace Cautery
   }
 
   template <int dim>
-  std::optional<typename PointLocator<dim>::Location>
-  PointLocator<dim>::find_among_own(const Point<dim> &place) const
+  std::optional<typename PointLocator<dim>::Location> PointLocator<dim>::find_among_own(
+    const Point<dim> &place) const
   {
     namespace bgi = boost::geometry::index;
     std::optional<Location> found;
@@ -86,8 +86,8 @@ namespace Cautery
   }
 
   template <int dim>
-  std::vector<typename PointLocator<dim>::Result>
-  PointLocator<dim>::find(const std::vector<Point<dim>> &places) const
+  std::vector<typename PointLocator<dim>::Result> PointLocator<dim>::find(
+    const std::vector<Point<dim>> &places) const
   {
     constexpr Number    none = std::numeric_limits<Number>::max();
     std::vector<Result> results(places.size());
@@ -109,8 +109,8 @@ namespace Cautery
   }
 
   template <int dim>
-  std::vector<std::optional<typename PointLocator<dim>::Location>>
-  PointLocator<dim>::find_inside(const std::vector<Point<dim>> &places, const std::string &name) const
+  std::vector<std::optional<typename PointLocator<dim>::Location>> PointLocator<dim>::find_inside(
+    const std::vector<Point<dim>> &places, const std::string &name) const
   {
     const auto                           results = find(places);
     std::vector<std::optional<Location>> locations;
@@ -143,7 +143,8 @@ namespace Cautery
               distance = nearest.distance(place);
             }
     const auto all = Utilities::MPI::all_gather(mesh.communicator(), std::make_pair(distance, nearest));
-    return std::min_element(all.begin(), all.end(), [](const auto &a, const auto &b) { return a.first < b.first; })
+    return std::min_element(
+             all.begin(), all.end(), [](const auto &a, const auto &b) { return a.first < b.first; })
       ->second;
   }
 

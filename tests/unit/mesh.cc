@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Meshes from boxes and files, what is mended and what is refused in them, and finding points. The output is the
-// same on any number of processes.
+// Meshes from boxes and files, what is mended and what is refused in them, and finding points. The output is
+// the same on any number of processes.
 #include <cautery/space/mesh.h>
 #include <cautery/space/points.h>
 
@@ -28,10 +28,10 @@ namespace
 
   ConditionalOStream out(std::cout, false);
 
-  MeshSettings box(const MeshSettings::Cells   cells,
-                   const std::vector<double>  &subdivisions,
-                   const Point<3>             &upper       = Point<3>(0.01, 0.01, 0.01),
-                   const unsigned int          refinements = 0)
+  MeshSettings box(const MeshSettings::Cells  cells,
+                   const std::vector<double> &subdivisions,
+                   const Point<3>            &upper       = Point<3>(0.01, 0.01, 0.01),
+                   const unsigned int         refinements = 0)
   {
     MeshSettings settings;
     settings.cells        = cells;
@@ -103,10 +103,11 @@ namespace
     geo::extrude({square[1]}, 0, 0, 1, lower, {3}, {}, hexahedra);
     geo::extrude({lower[0]}, 0, 0, 1, upper, {3}, {}, hexahedra);
     geo::synchronize();
-    const auto group = [](const int dim, const std::vector<int> &entities, const int tag, const std::string &name) {
-      gmsh::model::addPhysicalGroup(dim, entities, tag);
-      gmsh::model::setPhysicalName(dim, tag, name);
-    };
+    const auto group =
+      [](const int dim, const std::vector<int> &entities, const int tag, const std::string &name) {
+        gmsh::model::addPhysicalGroup(dim, entities, tag);
+        gmsh::model::setPhysicalName(dim, tag, name);
+      };
     group(3, {lower[1].second}, 1, "lower");
     group(3, {upper[1].second}, 7, "upper");
     group(2, {square[1].second}, 2, "bottom");
@@ -165,27 +166,33 @@ namespace
 
   void write_small_files()
   {
-    const std::vector<std::string> nodes = {"0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 1 1", "5 5 5"};
+    const std::vector<std::string> nodes       = {"0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 1 1", "5 5 5"};
     const std::string              tetrahedron = "4 1 1 2 3 4", other = "4 1 2 3 4 5";
-    write_small("mend.msh", nodes, {tetrahedron, "4 1 2 3 5 4", tetrahedron, "2 4 2 3 4", "2 5 1 2 3", "2 6 1 2 6"});
-    write_small("split.msh", {"0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 0 0", "0 1 0", "0 0 1", "1 1 1"},
+    write_small(
+      "mend.msh", nodes, {tetrahedron, "4 1 2 3 5 4", tetrahedron, "2 4 2 3 4", "2 5 1 2 3", "2 6 1 2 6"});
+    write_small("split.msh",
+                {"0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 0 0", "0 1 0", "0 0 1", "1 1 1"},
                 {tetrahedron, "4 1 5 6 7 8"});
     write_small("two groups.msh", nodes, {tetrahedron, "4 2 1 2 3 4"});
     write_small("two surfaces.msh", nodes, {tetrahedron, "2 4 1 2 3", "2 5 2 1 3"});
     write_small("flat.msh", {"0 0 0", "1 0 0", "0 1 0", "0.25 0.25 0"}, {tetrahedron});
     write_small("infinite.msh", {"0 0 0", "1 0 0", "0 1 0", "0 0 inf"}, {tetrahedron});
-    write_small("overlap.msh", {"0 0 0", "1 0 0", "0 1 0", "0 0 1", "0 0 -1", "1 1 2"},
+    write_small("overlap.msh",
+                {"0 0 0", "1 0 0", "0 1 0", "0 0 1", "0 0 -1", "1 1 2"},
                 {tetrahedron, "4 1 1 2 3 5", "4 1 1 2 3 6"});
     write_small("mixed.msh", nodes, {tetrahedron, "7 1 1 2 3 4 5"});
     write_small("surface.msh", nodes, {"2 1 1 2 3"});
-    const std::vector<std::string> cube = {"0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1"};
+    const std::vector<std::string> cube = {
+      "0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1"};
     write_small("turned.msh", cube, {"5 1 5 6 7 8 1 2 3 4"});
-    write_small("dented.msh", {cube[0], cube[1], cube[2], cube[3], cube[4], cube[5], "0.2 0.2 0.1", cube[7]},
+    write_small("dented.msh",
+                {cube[0], cube[1], cube[2], cube[3], cube[4], cube[5], "0.2 0.2 0.1", cube[7]},
                 {"5 1 1 2 3 4 5 6 7 8"});
     write_small("plane.msh", {"0 0 3", "2 0 3", "1.5 1 3", "0 1 3"}, {"3 1 1 2 3 4", "1 2 1 2"});
     write_small("bent.msh", {"0 0 3", "2 0 3", "1.5 1 4", "0 1 3"}, {"3 1 1 2 3 4"});
     std::ofstream("words.msh") << "SystemCall \"touch harm\";\n";
-    for (const std::string name : {"version_2.msh", "version_4_binary.msh", "cubes.vtk", "cubes.unv", "cubes.mesh"})
+    for (const std::string name :
+         {"version_2.msh", "version_4_binary.msh", "cubes.vtk", "cubes.unv", "cubes.mesh"})
       {
         std::filesystem::copy_file(name, "cut " + name);
         std::filesystem::resize_file("cut " + name, std::filesystem::file_size(name) * 6 / 10);
@@ -194,9 +201,10 @@ namespace
 
   void test_boxes()
   {
-    const auto tetrahedra = MeshSettings::Cells::tetrahedra, hexahedra = MeshSettings::Cells::hexahedra;
+    const auto     tetrahedra = MeshSettings::Cells::tetrahedra, hexahedra = MeshSettings::Cells::hexahedra;
     const Point<3> sides(1., 2., 3.);
-    out << "Boxes: n^3 cubes of 6 tetrahedra, (n + 1)^3 vertices; in 2D n^2 squares of 2 triangles" << std::endl;
+    out << "Boxes: n^3 cubes of 6 tetrahedra, (n + 1)^3 vertices; in 2D n^2 squares of 2 triangles"
+        << std::endl;
     describe<3>("6000 tetrahedra", box(tetrahedra, {10}));
     describe<3>("2 x 3 x 4 x 6 tetrahedra, sides 1, 2, 3", box(tetrahedra, {2, 3, 4}, sides));
     describe<3>("2 x 3 x 4 hexahedra", box(hexahedra, {2, 3, 4}, sides));
@@ -213,9 +221,16 @@ namespace
 
   void test_files()
   {
-    out << "Files: two unit cubes, 162 tetrahedra or 27 hexahedra each; their interface has 18 or 9 faces" << std::endl;
-    for (const std::string name : {"version_1.msh", "version_2.msh", "version_2_binary.msh", "version_4.msh",
-                                   "version_4_binary.msh", "second_order.msh", "hexahedra.msh", "cubes.unv"})
+    out << "Files: two unit cubes, 162 tetrahedra or 27 hexahedra each; their interface has 18 or 9 faces"
+        << std::endl;
+    for (const std::string name : {"version_1.msh",
+                                   "version_2.msh",
+                                   "version_2_binary.msh",
+                                   "version_4.msh",
+                                   "version_4_binary.msh",
+                                   "second_order.msh",
+                                   "hexahedra.msh",
+                                   "cubes.unv"})
       describe<3>(name, file(name));
     out << "Files: formats whose groups gmsh does not read" << std::endl;
     for (const std::string name : {"cubes.vtk", "cubes.bdf", "cubes.mesh"})
@@ -237,15 +252,28 @@ namespace
       return settings;
     };
     out << "Mended, and each cell refined into 2^dim" << std::endl;
-    describe<3>("doubled and inverted tetrahedra (1/6 and 1/3), an orphan, interior and loose faces", read("mend.msh"));
+    describe<3>("doubled and inverted tetrahedra (1/6 and 1/3), an orphan, interior and loose faces",
+                read("mend.msh"));
     describe<3>("the same two without a common face", read("split.msh"));
     describe<3>("an inverted hexahedron", read("turned.msh"));
     describe<2>("a trapezium at z = 3, area 1.75", read("plane.msh"));
     out << "Refused" << std::endl;
-    for (const std::string name : {"two groups.msh", "two surfaces.msh", "flat.msh", "infinite.msh", "overlap.msh",
-                                   "mixed.msh", "surface.msh", "dented.msh", "words.msh", "cut version_2.msh",
-                                   "cut version_4_binary.msh", "cut cubes.vtk", "cut cubes.unv", "cut cubes.mesh",
-                                   "missing.msh", "mesh.med"})
+    for (const std::string name : {"two groups.msh",
+                                   "two surfaces.msh",
+                                   "flat.msh",
+                                   "infinite.msh",
+                                   "overlap.msh",
+                                   "mixed.msh",
+                                   "surface.msh",
+                                   "dented.msh",
+                                   "words.msh",
+                                   "cut version_2.msh",
+                                   "cut version_4_binary.msh",
+                                   "cut cubes.vtk",
+                                   "cut cubes.unv",
+                                   "cut cubes.mesh",
+                                   "missing.msh",
+                                   "mesh.med"})
       refused(name, [&]() { Mesh<3>(file(name), communicator); });
     refused("volumes in 2D", []() { Mesh<2>(file("version_2.msh"), communicator); });
     refused("a bent surface in 2D", []() { Mesh<2>(file("bent.msh"), communicator); });
@@ -277,15 +305,17 @@ namespace
     };
     for (unsigned int v = 0; v < 4; ++v)
       {
-        std::array<Point<3>, 4> corners = {{cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3)}};
-        corners[v]                      = place;
+        std::array<Point<3>, 4> corners = {
+          {cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3)}};
+        corners[v] = place;
         if (volume(corners[0], corners[1], corners[2], corners[3]) < -1e-9 * cell->measure())
           return false;
       }
     return true;
   }
 
-  /** How many places have not exactly one owner, and how many are in a wrong cell or at a wrong unit place. */
+  /** How many places have not exactly one owner, and how many are in a wrong cell or at a wrong unit place.
+   */
   template <int dim>
   void count_wrong(const std::string &title, const Mesh<dim> &mesh, const std::vector<Point<dim>> &places)
   {
@@ -300,7 +330,7 @@ namespace
           {
             owners[p] = 1;
             centers += location->cell->center();
-            const auto back = mesh.mapping().transform_unit_to_real_cell(location->cell, location->unit);
+            const auto back  = mesh.mapping().transform_unit_to_real_cell(location->cell, location->unit);
             bool       right = location->cell->is_locally_owned() && back.distance(places[p]) < 1e-8;
             if constexpr (dim == 3)
               right = right && (!mesh.simplices() || is_in_tetrahedron(location->cell, places[p]));
@@ -310,8 +340,8 @@ namespace
     std::vector<unsigned int> all_owners(places.size());
     Utilities::MPI::sum(owners, communicator, all_owners);
     const auto with_one = std::count(all_owners.begin(), all_owners.end(), 1u);
-    out << title << ": " << places.size() << " places, " << with_one << " with one owner, " << outside << " outside, "
-        << Utilities::MPI::sum(wrong, communicator) << " wrong; sum of the cells' centres "
+    out << title << ": " << places.size() << " places, " << with_one << " with one owner, " << outside
+        << " outside, " << Utilities::MPI::sum(wrong, communicator) << " wrong; sum of the cells' centres "
         << Utilities::MPI::sum(centers, communicator) << std::endl;
   }
 
@@ -326,7 +356,8 @@ namespace
     return places;
   }
 
-  /** The nodes of a box of @p n^3 cubes, and the points half way between them: on edges, faces and diagonals. */
+  /** The nodes of a box of @p n^3 cubes, and the points half way between them: on edges, faces and diagonals.
+   */
   std::vector<Point<3>> nodes_and_middles(const unsigned int n, const Point<3> &sides)
   {
     std::vector<Point<3>> places;
@@ -365,7 +396,10 @@ namespace
     refused("outside", [&]() {
       PointLocator<3>(mesh).find_inside({Point<3>(0.1, 0.1, 0.1), Point<3>(0.7, 1.1, 0.5)}, "Probe `tip`");
     });
-    refused("not a number", [&]() { PointLocator<3>(mesh).find_inside({Point<3>(0., 0., std::numeric_limits<double>::quiet_NaN())}, "Probe `tip`"); });
+    refused("not a number", [&]() {
+      PointLocator<3>(mesh).find_inside({Point<3>(0., 0., std::numeric_limits<double>::quiet_NaN())},
+                                        "Probe `tip`");
+    });
   }
 } // namespace
 
@@ -377,10 +411,10 @@ int main(int argc, char **argv)
   out << std::fixed << std::setprecision(6);
 
   // files are called by their plain names, so that messages are the same wherever the test runs
-  const std::string directory =
-    Utilities::MPI::broadcast(communicator,
-                              (std::filesystem::temp_directory_path() / ("cautery_mesh_" + std::to_string(getpid()))).string(),
-                              0);
+  const std::string directory = Utilities::MPI::broadcast(
+    communicator,
+    (std::filesystem::temp_directory_path() / ("cautery_mesh_" + std::to_string(getpid()))).string(),
+    0);
   std::filesystem::create_directories(directory);
   std::filesystem::current_path(directory);
   if (is_root)

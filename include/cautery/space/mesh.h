@@ -24,9 +24,10 @@ namespace Cautery
   /**
    * The body as cells of one kind, simplices or hypercubes, distributed over the processes.
    *
-   * Process 0 makes or reads the mesh, mends and checks it (see `tidy`), refines it, cuts it with METIS and sends
-   * each process its part. On one process the triangulation is a plain serial one: a distributed one would only
-   * double time and memory. Either way ask `communicator()`, not the triangulation, for the communicator.
+   * Process 0 makes or reads the mesh, mends and checks it (see `tidy`), refines it, cuts it with METIS and
+   * sends each process its part. On one process the triangulation is a plain serial one: a distributed one
+   * would only double time and memory. Either way ask `communicator()`, not the triangulation, for the
+   * communicator.
    */
   template <int dim>
   class Mesh
@@ -47,20 +48,24 @@ namespace Cautery
     /** What the mesh is called in messages: "box" or the file's name. */
     const std::string &name() const { return label; }
 
-    /** Those that have cells or faces, with their names ("" for none). Surface 0 is what no physical group has. */
+    /** Those that have cells or faces, with their names ("" for none). Surface 0 is what no physical group
+     * has. */
     const std::map<types::material_id, std::string> &regions() const { return region_names; }
     const std::map<types::boundary_id, std::string> &surfaces() const { return surface_names; }
 
-    const std::map<types::material_id, double> &volumes() const { return region_volumes; } ///< of regions, m^dim
-    double                                      volume() const;                            ///< m^dim
-    const BoundingBox<dim>                     &bounding_box() const { return box; }       ///< m
+    const std::map<types::material_id, double> &volumes() const
+    {
+      return region_volumes;
+    }                                                            ///< of regions, m^dim
+    double                  volume() const;                      ///< m^dim
+    const BoundingBox<dim> &bounding_box() const { return box; } ///< m
 
     /** What was mended in the file, one line each. */
     const std::vector<std::string> &notes() const { return mended; }
 
     /**
-     * The ids that a user's texts mean: names, numbers, or "all". A name that several ids bear means all of them.
-     * Errors: ExcInput that lists what there is.
+     * The ids that a user's texts mean: names, numbers, or "all". A name that several ids bear means all of
+     * them. Errors: ExcInput that lists what there is.
      */
     std::set<types::material_id> region_ids(const std::vector<std::string> &texts) const;
     std::set<types::boundary_id> surface_ids(const std::vector<std::string> &texts) const;

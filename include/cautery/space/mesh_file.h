@@ -7,14 +7,13 @@
 namespace Cautery
 {
   /**
-   * Reads `settings.file_name` through gmsh: .msh (versions 1, 2 and 4, ASCII and binary), .unv, and without groups
-   * .vtk, .bdf and .mesh. (Debian's gmsh 4.8 cannot read .inp and .su2 and is built without .med.) Cells and faces
-   * take the tag of their physical group as region and surface, those of none get 0. Only the corner nodes of cells
-   * are kept. The mesh is as the file has it: `tidy` comes next.
+   * Reads `settings.file_name` (see GmshFile for the formats). Cells and faces take the tag of their physical
+   * group as region and surface, those of none get 0. Only the corner nodes of cells are kept. The mesh is as
+   * the file has it: `tidy` comes next.
    *
    * In two dimensions the file's triangles or quadrilaterals are the cells and its lines the faces.
-   * Errors: ExcInput for a file that is missing, unreadable or cut off, cells of mixed kinds or another dimension, and
-   * volumes in two physical groups.
+   * Errors: ExcInput for a file that is missing, unreadable or cut off, cells of mixed kinds or another
+   * dimension, and volumes in two physical groups.
    */
   template <int dim>
   PlainMesh<dim> read_mesh_file(const MeshSettings &settings);

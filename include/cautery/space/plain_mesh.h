@@ -24,8 +24,10 @@ namespace Cautery
     std::vector<CellData<dim>>     cells;    ///< all of one kind; the material id is the region
     std::vector<CellData<dim - 1>> faces;    ///< those with a boundary id, the surface
 
-    std::map<types::material_id, std::string> regions;  ///< the name of each region that has cells, "" for none
-    std::map<types::boundary_id, std::string> surfaces; ///< the name of each surface that has faces, "" for none
+    std::map<types::material_id, std::string>
+      regions; ///< the name of each region that has cells, "" for none
+    std::map<types::boundary_id, std::string>
+      surfaces; ///< the name of each surface that has faces, "" for none
 
     std::vector<std::string> notes; ///< what was mended, for the log
   };
@@ -37,12 +39,14 @@ namespace Cautery
   }
 
   /**
-   * Makes a mesh of unknown origin fit for deal.II. With a note each: drops duplicate cells, turns inverted cells
-   * round, drops tagged faces that are not on the boundary, and points out coinciding vertices. Regions and surfaces
-   * that have nothing left are forgotten; boundary faces of no surface become surface 0 without a name.
+   * Makes a mesh of unknown origin fit for deal.II. With a note each: drops duplicate cells, turns inverted
+   * cells round, drops tagged faces that are not on the boundary, and points out coinciding vertices. Regions
+   * and surfaces that have nothing left are forgotten; boundary faces of no surface become surface 0 without
+   * a name.
    *
-   * Errors: ExcInput, beginning with @p name, for coordinates that are not finite, cells or faces in two groups,
-   * cells without volume, cells that are inverted at some corners only, and faces that more than two cells share.
+   * Errors: ExcInput, beginning with @p name, for coordinates that are not finite, cells or faces in two
+   * groups, cells without volume, cells that are inverted at some corners only, and faces that more than two
+   * cells share.
    */
   template <int dim>
   void tidy(PlainMesh<dim> &mesh, const std::string &name);

@@ -13,9 +13,10 @@
 namespace Cautery
 {
   /**
-   * Finds the cell around a place, and the one process that owns it. A place on a face or a node lies in several
-   * cells; the one of the lowest number in the undistributed mesh is taken, so that the choice does not depend on
-   * the number of processes. (The library's own search is wrong in simplices: it tests against the unit cube.)
+   * Finds the cell around a place, and the one process that owns it. A place on a face or a node lies in
+   * several cells; the one of the lowest number in the undistributed mesh is taken, so that the choice does
+   * not depend on the number of processes. (The library's own search is wrong in simplices: it tests against
+   * the unit cube.)
    */
   template <int dim>
   class PointLocator
@@ -28,7 +29,7 @@ namespace Cautery
       Point<dim>                                        unit;
     };
 
-    /** One of three: `location` on the process that owns the place, nothing on the others, or `outside` on all. */
+    /** `location` on the process that owns the place and nothing on the others, or `outside` on all. */
     struct Result
     {
       std::optional<Location> location;
@@ -53,7 +54,7 @@ namespace Cautery
     std::optional<Location> find_among_own(const Point<dim> &place) const;
     Point<dim>              nearest_vertex(const Point<dim> &place) const;
 
-    const Mesh<dim>                          &mesh;
+    const Mesh<dim>                         &mesh;
     RTree<std::pair<BoundingBox<dim>, Cell>> boxes; ///< of the locally owned cells
   };
 } // namespace Cautery
