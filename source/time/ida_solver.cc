@@ -224,13 +224,13 @@ namespace Cautery
     check(IDASetErrHandlerFn(ida, &Callbacks::keep_message, this), "IDASetErrHandlerFn");
     check(IDASetUserData(ida, this), "IDASetUserData");
     check(IDAInit(ida, &Callbacks::residual, time, y_view, y_dot_view), "IDAInit");
-    // IDA's own tolerances would go through deal.II's entry-wise operations, which cost as much as a solve
+    // IDA's own weights go through deal.II's entry-wise operations: slower than all the rest of IDA's step
     check(IDAWFtolerances(ida, &Callbacks::set_weights), "IDAWFtolerances");
     check(IDASetLinearSolver(ida, memory->linear_solver.get(), memory->matrix.get()), "IDASetLinearSolver");
     check(IDASetJacFn(ida, &Callbacks::setup_jacobian), "IDASetJacFn");
-    // By default IDA keeps a Jacobian until alpha has changed by a quarter and scales the correction. That
-    // saves a fifth of the set-ups, which are cheap for an iterative solver, and costs a fifth more solves
-    // and some more steps.
+    // By default IDA keeps a Jacobian until alpha has changed by a quarter and scales the correction. In the
+    // unit test that saves a fifth of the set-ups, which are cheap for an iterative solver, and costs a sixth
+    // more solves.
     check(IDASetDeltaCjLSetup(ida, 0.), "IDASetDeltaCjLSetup");
     check(IDASetInitStep(ida, initial_step), "IDASetInitStep");
   }
