@@ -73,8 +73,7 @@ namespace Cautery
         }
     }
 
-    /** Numbers the corner nodes of @p cells in the file's order; the map goes from gmsh's tags to vertices.
-     */
+    /** Numbers the corner nodes of @p cells in the file's order; the map goes from gmsh's tags to them. */
     template <int dim>
     std::unordered_map<std::size_t, unsigned int> number_vertices(PlainMesh<dim>                  &mesh,
                                                                   const std::vector<ElementBlock> &cells,

@@ -48,17 +48,14 @@ namespace Cautery
     /** What the mesh is called in messages: "box" or the file's name. */
     const std::string &name() const { return label; }
 
-    /** Those that have cells or faces, with their names ("" for none). Surface 0 is what no physical group
-     * has. */
+    /** Those that have cells or faces, with their names ("" for none). Surface 0 has no physical group. */
     const std::map<types::material_id, std::string> &regions() const { return region_names; }
     const std::map<types::boundary_id, std::string> &surfaces() const { return surface_names; }
 
-    const std::map<types::material_id, double> &volumes() const
-    {
-      return region_volumes;
-    }                                                            ///< of regions, m^dim
-    double                  volume() const;                      ///< m^dim
-    const BoundingBox<dim> &bounding_box() const { return box; } ///< m
+    /** Of each region, and of all (m^dim). */
+    const std::map<types::material_id, double> &volumes() const { return region_volumes; }
+    double                                      volume() const;
+    const BoundingBox<dim>                     &bounding_box() const { return box; } ///< m
 
     /** What was mended in the file, one line each. */
     const std::vector<std::string> &notes() const { return mended; }
