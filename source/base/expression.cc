@@ -8,6 +8,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <regex>
 
 namespace Cautery
@@ -119,14 +120,15 @@ namespace Cautery
       }
     for (const auto &row : Utilities::split_string_list(source, ','))
       {
-        const auto columns     = Utilities::split_string_list(row, ':');
-        const auto temperature = columns.empty() ? std::nullopt : plain_number(columns.front());
-        const auto value       = columns.empty() ? std::nullopt : plain_number(columns.back());
-        AssertThrow(columns.size() == 2 && temperature && value,
+        const auto   columns     = Utilities::split_string_list(row, ':');
+        const double nothing     = std::numeric_limits<double>::quiet_NaN();
+        const double temperature = columns.size() == 2 ? plain_number(columns[0]).value_or(nothing) : nothing;
+        const double value       = columns.size() == 2 ? plain_number(columns[1]).value_or(nothing) : nothing;
+        AssertThrow(std::isfinite(temperature) && std::isfinite(value),
                     ExcInput("a table is written `temperature: value, temperature: value, ...`"));
-        AssertThrow(table.empty() || table.back().first < *temperature,
+        AssertThrow(table.empty() || table.back().first < temperature,
                     ExcInput("the temperatures of a table must rise from entry to entry"));
-        table.emplace_back(*temperature, *value);
+        table.emplace_back(temperature, value);
       }
   }
 

@@ -22,7 +22,7 @@ namespace Cautery
 
   bool Scene::thermal_properties_change() const
   {
-    return effects.metabolism == Effects::Metabolism::q10 || effects.perfusion_stops_in_dead_tissue ||
+    return effects.metabolism == Effects::Metabolism::q10 ||
            std::any_of(tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.thermally_constant(); });
   }
 

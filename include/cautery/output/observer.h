@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/output/nodal_columns.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Cautery
+{
+  /**
+   * Looks at the states at output times, and writes or keeps what it is for.
+   */
+  template <int dim>
+  class Observer
+  {
+  public:
+    virtual ~Observer() = default;
+
+    /** What its time counts for in the ledger, e.g. "output: probes". */
+    virtual std::string name() const = 0;
+
+    /** Collective. */
+    virtual void observe(const Snapshot<dim> &snapshot) = 0;
+  };
+} // namespace Cautery

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/output/observer.h>
+#include <cautery/scene/output_settings.h>
+#include <cautery/space/points.h>
+
+#include <fstream>
+#include <optional>
+
+namespace Cautery
+{
+  /**
+   * probes.csv: a row for every output time and probe, with the quantities that are on, interpolated between the nodes of
+   * the probe's cell.
+   */
+  template <int dim>
+  class Probes : public Observer<dim>
+  {
+  public:
+    /** Errors: ExcInput for a probe outside the body. */
+    Probes(const std::vector<Probe> &probes, const PointLocator<dim> &locator, const Field<dim> &nodes);
+
+    /** The file appears with the first row. */
+    void write_to(const std::string &file_name);
+
+    std::string name() const override { return "output: probes"; }
+    void        observe(const Snapshot<dim> &snapshot) override;
+
+  private:
+    double value(const unsigned int probe, const Vector &ghosted) const;
+
+    const std::vector<Probe>                                         probes;
+    const Field<dim>                                                &nodes;
+    std::vector<std::optional<typename PointLocator<dim>::Location>> locations;
+    std::ofstream                                                    file;
+    bool                                                             has_header = false;
+  };
+} // namespace Cautery

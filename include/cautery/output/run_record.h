@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/base/cost.h>
+#include <cautery/output/extremes.h>
+#include <cautery/physics/heat_balance.h>
+#include <cautery/scene/scene.h>
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace Cautery
+{
+  /**
+   * What is said of a whole run: summary.json, and a few lines for a reader.
+   */
+  struct RunRecord
+  {
+    std::string title;
+    std::string status = "running"; ///< "done", "failed"
+    std::string message;
+    Effects     effects;
+    double      end_time = 0.; ///< reached, s
+
+    std::map<std::string, types::global_dof_index> unknowns;
+    unsigned int                                   time_steps = 0;
+    std::map<std::string, double>                  statistics;
+    Extremes                                       extremes;
+    std::optional<HeatTotals>                      balance;
+
+    struct Ablation
+    {
+      struct Region
+      {
+        std::string name;
+        double      volume   = 0.; ///< dead, m^dim
+        double      fraction = 0.; ///< of the region
+      };
+      double                        volume = 0.; ///< m^dim
+      double                        radius = 0.; ///< m
+      Point<3>                      centre;      ///< m
+      std::map<std::string, Region> regions;     ///< by number
+    };
+    std::optional<Ablation> ablation;
+
+    double                        wall_seconds = 0.;
+    double                        seconds_per_step = 0.; ///< mean over the time loop without output
+    std::map<std::string, double> seconds_by_part;
+    std::map<std::string, double> seconds_by_effect;
+    double                        peak_memory = 0.; ///< over all processes, bytes
+    unsigned int                  processes   = 1;
+
+    /** Replaces @p file_name in one go. Errors: ExcRun. */
+    void write(const std::string &file_name) const;
+
+    /** The closing lines of a run. */
+    std::string text() const;
+  };
+} // namespace Cautery

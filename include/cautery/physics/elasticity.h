@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/physics/balance.h>
+#include <cautery/physics/coupling.h>
+#include <cautery/physics/prescribed.h>
+#include <cautery/space/points.h>
+
+#include <memory>
+#include <optional>
+
+namespace Cautery
+{
+  /**
+   * The balance of momentum of a linear thermoelastic body (thesis Eqs. 4-23 to 4-25): M = int rho N N (inertia only),
+   * K from the elastic stress, loads by gravity, tractions, forces at points and thermal expansion.
+   */
+  template <int dim>
+  class Elasticity : public Balance
+  {
+  public:
+    /** @p displacement is the vector field on the nodes of @p nodes. */
+    Elasticity(const Scene             &scene,
+               const Field<dim>        &displacement,
+               const Field<dim>        &nodes,
+               const TissueMap<dim>    &tissues,
+               const BoundaryMap<dim>  &boundaries,
+               const PointLocator<dim> &locator);
+
+    std::string              name() const override { return "deformation"; }
+    const ConstrainedMatrix *inertia() const override { return has_inertia ? &mass : nullptr; }
+    const ConstrainedMatrix *damping() const override { return nullptr; }
+    const ConstrainedMatrix &stiffness() const override { return elastic; }
+    Vector State::*unknown() const override { return &State::displacement; }
+    Vector State::*rate() const override { return keeps_rate ? &State::displacement_rate : nullptr; }
+
+    const Elimination &elimination() const override { return eliminated; }
+    void               prescribe(const double time, Vector &x) const override { prescribed.set(time, x); }
+    bool               prescription_changes() const override { return prescribed.depends_on_time(); }
+    void               load(const Step &step, const State &state, Vector &force) const override;
+    bool               changes() const override { return properties_change; }
+    bool               refresh(const State &state, const Vector &x) override;
+    const LinearSolverSettings &solver_settings() const override { return scene.numerics.deformation_solver; }
+    unsigned int                n_components() const override { return dim; }
+    std::vector<Vector>         near_null_space() const override;
+
+    /** The load at @p time alone, for equilibrium; the thermal part is that of @p state's temperature. */
+    void load_at(const double time, const State &state, Vector &force) const;
+
+    /** Are there prescribed displacements other than zero? */
+    bool moved() const { return !prescribed.homogeneous(); }
+
+    const Field<dim> &field() const { return displacement; }
+    /** The linear thermal expansion; nullptr where it is off or not linear. */
+    const ThermalExpansionOperator<dim> *expansion() const { return expansion_operator.get(); }
+
+  private:
+    void constrain(const BoundaryMap<dim> &boundaries);
+    void initialize_matrices();
+    void assemble(const Vector *temperature);
+    void assemble_outer_load(const double time, Vector &force) const;
+    void add_point_loads(const double time, Vector &force) const;
+
+    const Scene            &scene;
+    const Field<dim>       &displacement;
+    const Field<dim>       &nodes;
+    const TissueMap<dim>   &tissues;
+    const BoundaryMap<dim> &boundaries;
+    const bool              has_inertia;
+    const bool              properties_change;
+    const bool              keeps_rate; ///< inertia, or non-Fourier heat that feels the rate's change
+    bool                    needs_full;
+    bool                    outer_load_changes = false;
+
+    Prescribed<dim>           prescribed;
+    AffineConstraints<double> fixed;
+    AffineConstraints<double> nothing_fixed;
+    Elimination               eliminated;
+    ConstrainedMatrix         mass;
+    ConstrainedMatrix         elastic;
+    Vector                    outer_load;   ///< at t = 0, N
+    Vector                    thermal_load; ///< where properties change, N
+    std::vector<std::optional<typename PointLocator<dim>::Location>> load_places;
+    std::unique_ptr<ThermalExpansionOperator<dim>>                   expansion_operator;
+  };
+} // namespace Cautery

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/physics/balance.h>
+#include <cautery/physics/heat_loads.h>
+#include <cautery/physics/prescribed.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <optional>
+
+namespace Cautery
+{
+  /**
+   * The balance of heat (thesis Eqs. 4-22 and 6-8) without its coupling to deformation:
+   * M = int tau rho C N N, C = int (rho C + tau w) N N, K = int k grad N grad N + int w N N,
+   * with w = C_b omega_b, and for convection h in the place of w on surfaces. tau = 0 is Fourier's: no M.
+   */
+  template <int dim>
+  class Heat : public Balance
+  {
+  public:
+    Heat(const Scene             &scene,
+         const Field<dim>        &field,
+         const TissueMap<dim>    &tissues,
+         const BoundaryMap<dim>  &boundaries,
+         const PointLocator<dim> &locator);
+
+    std::string              name() const override { return "heat"; }
+    const ConstrainedMatrix *inertia() const override { return non_fourier ? &relaxation : nullptr; }
+    const ConstrainedMatrix *damping() const override { return &storage; }
+    const ConstrainedMatrix &stiffness() const override { return conduction; }
+    Vector State::*unknown() const override { return &State::temperature; }
+    Vector State::*rate() const override { return non_fourier ? &State::temperature_rate : nullptr; }
+
+    const Elimination &elimination() const override { return eliminated; }
+    bool               prescription_changes() const override { return prescribed.depends_on_time(); }
+    void prescribe(const double time, Vector &x) const override { prescribed.set(time, x); }
+    void load(const Step &step, const State &state, Vector &force) const override;
+    bool changes() const override { return properties_change || perfusion_stops; }
+    bool refresh(const State &state, const Vector &x) override;
+    const LinearSolverSettings &solver_settings() const override { return scene.numerics.heat_solver; }
+    unsigned int                n_components() const override { return 1; }
+    std::vector<Vector>         near_null_space() const override;
+
+    /** F and tau dF/dt at one time, see HeatLoads::add_at. */
+    void load_at(const double time, const double within, Vector &force) const;
+
+    HeatLoads<dim>       &loads() { return outside; }
+    const HeatLoads<dim> &loads() const { return outside; }
+    const Prescribed<dim> &prescribed_temperatures() const { return prescribed; }
+    const Field<dim>      &nodes() const { return field; }
+    bool                   relaxes() const { return non_fourier; }
+
+    /**
+     * What the books of heat need besides. All per node: `blood` and `surface` weights in W/K, sources in W, tau in s;
+     * `capacity` and `exchange` as matrices, of the non-Fourier model only (else they are C and a part of K).
+     */
+    struct Bookkeeping
+    {
+      Vector       blood_weights;   ///< int w N
+      Vector       surface_weights; ///< int h N
+      Vector       blood_source;    ///< int w T_b N
+      Vector       metabolism;      ///< int Q_met N
+      Vector       delay;           ///< tau
+      SparseMatrix capacity;        ///< int rho C N N
+      SparseMatrix exchange;        ///< int w N N + int h N N
+    };
+    const Bookkeeping &books() const { return bookkeeping; }
+
+  private:
+    struct CellTerms;
+
+    void initialize_matrices();
+    void initialize_books();
+    void assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
+    void add_cell(const Tissue &tissue, CellTerms &terms) const;
+    void add_surfaces(const typename DoFHandler<dim>::active_cell_iterator &cell, CellTerms &terms) const;
+    void distribute(const double tau, CellTerms &terms);
+    void finish();
+
+    const Scene             &scene;
+    const Field<dim>        &field;
+    const TissueMap<dim>    &tissues;
+    const BoundaryMap<dim>  &boundaries;
+    const bool               non_fourier;
+    const bool               properties_change;
+    const bool               perfusion_stops;
+    Prescribed<dim>          prescribed;
+    AffineConstraints<double> fixed;
+    Elimination              eliminated;
+    AffineConstraints<double> nothing_fixed;
+    HeatLoads<dim>           outside;
+    ConstrainedMatrix        relaxation; ///< M
+    ConstrainedMatrix        storage;    ///< C
+    ConstrainedMatrix        conduction; ///< K
+    Vector                   inside;     ///< int (w T_b + Q_met) N and, where Q_met changes, tau dQ_met/dt; W
+    Bookkeeping              bookkeeping;
+    types::global_dof_index  n_dead = 0;
+  };
+} // namespace Cautery

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/physics/coupling.h>
+#include <cautery/physics/heat.h>
+
+namespace Cautery
+{
+  /**
+   * The books of heat over a run, all in J (per metre in two dimensions).
+   */
+  struct HeatTotals
+  {
+    double sources    = 0.; ///< put in by the sources
+    double metabolism = 0.; ///< made by the tissue
+    double stored     = 0.; ///< int rho C (T - T(0))
+    double blood      = 0.; ///< carried away
+    double boundary   = 0.; ///< lost through surfaces
+    double expansion  = 0.; ///< consumed by the change of volume (two-way coupling)
+
+    double error() const { return sources + metabolism - stored - blood - boundary - expansion; }
+    /** The error over all heat that was moved. */
+    double relative_error() const;
+  };
+
+  /**
+   * Keeps the books: integrates over time what each step moved, and takes the heat through surfaces of prescribed
+   * temperature from the balance of their own nodes. With backward Euler they close to the tolerance of the linear solver; with
+   * IDA to the accuracy of its steps.
+   *
+   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T; where tau differs between tissues this
+   * holds away from their interfaces only.
+   */
+  template <int dim>
+  class HeatBalance
+  {
+  public:
+    /** How temperature is integrated over a step: by its value at the end (backward Euler), or by the mean of both ends. */
+    enum class Rule
+    {
+      end_of_step,
+      trapezoid
+    };
+
+    /** @p feedback: of two-way coupling, else nullptr. */
+    HeatBalance(Heat<dim> &heat, const ThermoelasticFeedback<dim> *feedback, const State &start, const Rule rule);
+
+    /** Books the step that has just brought the state to @p now. */
+    void record(const Step &step, const State &now);
+
+    /** The books up to @p now, the state of the last recorded step. */
+    HeatTotals totals(const State &now);
+
+  private:
+    void flush(const State &now);
+
+    Heat<dim>                        &heat;
+    const ThermoelasticFeedback<dim> *feedback;
+    const Rule                        rule;
+
+    typename HeatLoads<dim>::Received received;
+    Vector                            delivered; ///< heat from outside, J per node
+    Vector                            left;      ///< delivered + own - stored - conducted, J per node: what surfaces took
+    double                            stored     = 0.;
+    double                            blood      = 0.;
+    double                            surfaces   = 0.; ///< by convection
+    double                            metabolism = 0.;
+    double                            expansion  = 0.;
+
+    // since the last flush
+    double since = 0.;                       ///< time of the last flush, s
+    Vector last_temperature;                 ///< of the last step, K; trapezoid only
+    Vector temperature_then;                 ///< K
+    Vector displacement_then;                ///< m
+    Vector temperature_integral;             ///< int T dt, K s
+    Vector delayed;                          ///< Y, K; non-Fourier only
+    Vector delayed_integral;                 ///< int Y dt
+  };
+} // namespace Cautery

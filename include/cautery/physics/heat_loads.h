@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/physics/balance.h>
+#include <cautery/space/assignment.h>
+#include <cautery/space/field.h>
+#include <cautery/space/points.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Cautery
+{
+  /**
+   * The heat that comes from outside the balance: sources, and fluxes through surfaces. In the non-Fourier model the
+   * balance is that of (1 + tau d/dt) of the heat (thesis Eq. 6-8), so every load has a twin weighted with tau.
+   */
+  template <int dim>
+  class HeatLoads
+  {
+  public:
+    HeatLoads(const Scene             &scene,
+              const Field<dim>        &field,
+              const TissueMap<dim>    &tissues,
+              const BoundaryMap<dim>  &boundaries,
+              const PointLocator<dim> &locator);
+
+    /** Adds the mean load over @p step and the difference quotient of the tau-weighted load, W per node. */
+    void add(const Step &step, Vector &force) const;
+
+    /**
+     * Adds load and tau-weighted rate of the load at @p time, with those sources on that are on at @p within, a time inside
+     * the interval between two switches.
+     */
+    void add_at(const double time, const double within, Vector &force) const;
+
+    /** The tau-weighted load that comes suddenly at @p time; zero where jumps are neglected. */
+    void add_jump(const double time, Vector &force) const;
+
+    /** All times in (0, end) at which a source is switched (s). */
+    std::vector<double> switching_times(const double end) const;
+
+    /** Heat that flowed in, in J. */
+    struct Received
+    {
+      double sources  = 0.;
+      double surfaces = 0.;
+    };
+
+    /** Books the heat of @p step: adds it node by node to @p nodal_heat (J) and in sum to @p received. */
+    void record(const Step &step, Vector &nodal_heat, Received &received);
+
+  private:
+    using Assemble = std::function<void(const double time, Vector &load, Vector *relaxed)>;
+
+    struct Item
+    {
+      const HeatSource *source = nullptr; ///< none: through a surface, always there
+      Assemble          assemble;
+      bool              changes = false; ///< does the distribution change in time?
+      Vector            load;            ///< W per node for amplitude 1
+      Vector            relaxed;         ///< the same times tau, W s; non-Fourier only
+      double            sum         = 0.;
+      double            delay       = 0.; ///< tau where it acts, s
+      double            effective   = 0.; ///< amplitude that a source with neglected jumps has really, at the last recorded time
+    };
+
+    void   add_sources(const Scene &scene, const TissueMap<dim> &tissues, const PointLocator<dim> &locator);
+    void   add_surfaces(const std::vector<Boundary> &list, const TissueMap<dim> &tissues, const BoundaryMap<dim> &map);
+    void   add_item(Item item);
+    Assemble points(const PointSources &source, const std::string &name, const TissueMap<dim> &, const PointLocator<dim> &) const;
+    template <typename Density>
+    Assemble volume(const Density &density, const std::set<types::material_id> &regions, const TissueMap<dim> &) const;
+    void   assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const;
+    double mean_amplitude(const Item &item, const Step &step) const;
+    void   add_rate(const Item &item, const Step &step, Vector &force) const;
+
+    const Field<dim>    &field;
+    const bool           non_fourier;
+    const bool           jumps;
+    std::vector<Item>    items;
+  };
+} // namespace Cautery

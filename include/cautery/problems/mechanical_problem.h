@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/physics/elasticity.h>
+#include <cautery/physics/mechanical_fields.h>
+#include <cautery/problems/problem.h>
+#include <cautery/time/equilibrium.h>
+#include <cautery/time/integrator.h>
+
+namespace Cautery
+{
+  /**
+   * Deformation without heat: in equilibrium with the loads of each output time, or with inertia.
+   */
+  template <int dim>
+  class MechanicalProblem : public Problem<dim>
+  {
+  public:
+    MechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
+
+    State                                          start() override;
+    void                                           step(State &state, const double stop) override;
+    void                                           complete(State &state) override;
+    std::optional<MechanicalFields<dim>>           mechanical_fields(const State &state) const override;
+    const Field<dim>                              *displacement() const override { return &field; }
+    std::map<std::string, types::global_dof_index> unknowns() const override;
+    std::map<std::string, double>                  statistics() const override;
+
+  private:
+    const Scene                 &scene;
+    Field<dim>                   field;
+    Elasticity<dim>              elasticity;
+    std::unique_ptr<Equilibrium> equilibrium;
+    std::unique_ptr<Integrator>  integrator; ///< with inertia only
+    NodalGradients<dim>          gradients;
+    MechanicalRecovery<dim>      recovery;
+    double                       solved_at = -1.; ///< time of the displacement, s
+  };
+} // namespace Cautery

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/base/cost.h>
+#include <cautery/output/nodal_columns.h>
+#include <cautery/physics/heat_balance.h>
+#include <cautery/problems/body.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace Cautery
+{
+  /**
+   * What a scene simulates: operators, an integrator, and what follows from their state. Only composed of these.
+   */
+  template <int dim>
+  class Problem
+  {
+  public:
+    virtual ~Problem() = default;
+
+    /** The state at t = 0, with exactly the vectors that the scene's effects need. */
+    virtual State start() = 0;
+
+    /** One step, at most to @p stop (s). Errors: ExcRun; @p state is then that of the last good step. */
+    virtual void step(State &state, const double stop) = 0;
+
+    /** Solves for what only an output asks for. */
+    virtual void complete(State &) {}
+
+    /** Collective; nothing where deformation is off. */
+    virtual std::optional<MechanicalFields<dim>> mechanical_fields(const State &) const { return {}; }
+    virtual const Field<dim>                    *displacement() const { return nullptr; }
+    virtual std::optional<HeatTotals>            heat_totals(const State &) { return {}; }
+
+    /** By name: temperature, displacement, ... */
+    virtual std::map<std::string, types::global_dof_index> unknowns() const   = 0;
+    virtual std::map<std::string, double>                  statistics() const = 0;
+  };
+
+  /** The problem for the effects of @p scene. Arguments must live as long as it. */
+  template <int dim>
+  std::unique_ptr<Problem<dim>> make_problem(const Scene &scene, const Body<dim> &body, Cost &cost);
+} // namespace Cautery

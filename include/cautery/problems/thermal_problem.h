@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/physics/damage_history.h>
+#include <cautery/problems/problem.h>
+#include <cautery/time/integrator.h>
+
+namespace Cautery
+{
+  /**
+   * Heat, and the damage that follows from it.
+   */
+  template <int dim>
+  class ThermalProblem : public Problem<dim>
+  {
+  public:
+    ThermalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
+
+    State                                          start() override;
+    void                                           step(State &state, const double stop) override;
+    std::optional<HeatTotals>                      heat_totals(const State &state) override;
+    std::map<std::string, types::global_dof_index> unknowns() const override;
+    std::map<std::string, double>                  statistics() const override { return integrator->statistics(); }
+
+  private:
+    const Scene                         &scene;
+    const Body<dim>                     &body;
+    Cost                                &cost;
+    Heat<dim>                            heat;
+    std::unique_ptr<Integrator>          integrator;
+    std::unique_ptr<NodalGradients<dim>> gradients; ///< for the damage law of heat flux only
+    std::unique_ptr<DamageHistory<dim>>  damage;
+    std::unique_ptr<HeatBalance<dim>>    books;
+  };
+
+  /** The temperature at t = 0 and, for the non-Fourier model, its rate: zero. */
+  template <int dim>
+  void start_heat(const Scene &scene, const Field<dim> &nodes, State &state);
+
+  /** How the books integrate over a step of the scene's integrator. */
+  template <int dim>
+  typename HeatBalance<dim>::Rule bookkeeping_rule(const TimeSettings &settings);
+} // namespace Cautery

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/physics/damage_history.h>
+#include <cautery/physics/elasticity.h>
+#include <cautery/problems/problem.h>
+#include <cautery/time/equilibrium.h>
+#include <cautery/time/integrator.h>
+
+namespace Cautery
+{
+  /**
+   * Heat and deformation, one way or two way coupled or not at all, and damage. Without inertia and feedback the
+   * displacement has no history: it is solved for when an output or an effect asks.
+   */
+  template <int dim>
+  class ThermomechanicalProblem : public Problem<dim>
+  {
+  public:
+    ThermomechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
+
+    State                                          start() override;
+    void                                           step(State &state, const double stop) override;
+    void                                           complete(State &state) override;
+    std::optional<MechanicalFields<dim>>           mechanical_fields(const State &state) const override;
+    const Field<dim>                              *displacement() const override { return &field; }
+    std::optional<HeatTotals>                      heat_totals(const State &state) override;
+    std::map<std::string, types::global_dof_index> unknowns() const override;
+    std::map<std::string, double>                  statistics() const override;
+
+  private:
+    void make_integrator();
+
+    const Scene                                &scene;
+    const Body<dim>                            &body;
+    Cost                                       &cost;
+    Field<dim>                                  field;
+    Heat<dim>                                   heat;
+    Elasticity<dim>                             elasticity;
+    const bool                                  displacement_at_every_step;
+    Equilibrium                                 equilibrium;
+    std::unique_ptr<ThermoelasticFeedback<dim>> feedback;
+    std::unique_ptr<Integrator>                 integrator;
+    NodalGradients<dim>                         gradients;
+    MechanicalRecovery<dim>                     recovery;
+    std::unique_ptr<DamageHistory<dim>>         damage;
+    std::unique_ptr<HeatBalance<dim>>           books;
+    double                                      solved_at = -1.; ///< time of the displacement, s
+  };
+} // namespace Cautery

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/base/linear_algebra.h>
+#include <cautery/space/mesh.h>
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <memory>
+#include <vector>
+
+namespace Cautery
+{
+  /**
+   * A finite element field on a mesh: Lagrange elements of degree 1 or 2 on simplices or hypercubes, with one component
+   * (a temperature) or dim components (a displacement).
+   *
+   * The unknowns of a vector field follow the nodes of the scalar field: component c of node n is unknown dim n + c, on
+   * the same process. So nodal values of both belong together without any map, and multigrid finds its blocks.
+   */
+  template <int dim>
+  class Field
+  {
+  public:
+    /** The scalar field, whose nodes are numbered by reverse Cuthill-McKee. */
+    Field(const Mesh<dim> &mesh, const unsigned int degree);
+
+    /** The vector field on the nodes of @p scalar. */
+    explicit Field(const Field<dim> &scalar, const unsigned int n_components);
+
+    const Mesh<dim>          &mesh() const { return body; }
+    const Mapping<dim>       &mapping() const { return body.mapping(); }
+    MPI_Comm                  communicator() const { return body.communicator(); }
+    const FiniteElement<dim> &element() const { return dofs.get_fe(); }
+    const DoFHandler<dim>    &dof_handler() const { return dofs; }
+    const IndexSet           &owned() const { return dofs.locally_owned_dofs(); }
+    const IndexSet           &relevant() const { return locally_relevant; }
+    unsigned int              n_components() const { return element().n_components(); }
+    types::global_dof_index   n_unknowns() const { return dofs.n_dofs(); }
+
+    /** Exact for the products of two shape functions on affine cells. */
+    const Quadrature<dim>     &cell_quadrature() const { return inside; }
+    const Quadrature<dim - 1> &face_quadrature() const { return faces; }
+
+    /** Local numbers of the shape functions that do not vanish on face @p face of a cell. */
+    const std::vector<unsigned int> &on_face(const unsigned int face) const { return face_shapes[face]; }
+
+    /** The field's view of a cell of the mesh. */
+    typename DoFHandler<dim>::active_cell_iterator
+    cell(const typename Triangulation<dim>::active_cell_iterator &of_mesh) const
+    {
+      return {&of_mesh->get_triangulation(), of_mesh->level(), of_mesh->index(), &dofs};
+    }
+
+    /** Zero, without ghost entries. */
+    Vector vector() const { return Vector(owned(), communicator()); }
+
+    /** A copy that also has the entries of the neighbouring processes, to read from. */
+    Vector ghosted(const Vector &values) const;
+
+    /**
+     * An empty matrix with rows of this field and columns of @p columns, coupling all unknowns of a cell; rows and
+     * columns that @p constraints removes keep their diagonal only (nullptr: none).
+     */
+    void initialize_matrix(SparseMatrix                    &matrix,
+                           const Field<dim>                &columns,
+                           const AffineConstraints<double> *constraints) const;
+
+  private:
+    void finish(const unsigned int degree);
+    void follow(const DoFHandler<dim> &nodes);
+    void find_face_shapes();
+
+    const Mesh<dim>                       &body;
+    DoFHandler<dim>                        dofs;
+    IndexSet                               locally_relevant;
+    Quadrature<dim>                        inside;
+    Quadrature<dim - 1>                    faces;
+    std::vector<std::vector<unsigned int>> face_shapes;
+  };
+
+  /** A place in three coordinates, as scenes know them. */
+  template <int dim>
+  Point<3> in_space(const Point<dim> &place)
+  {
+    Point<3> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = place[d];
+    return result;
+  }
+} // namespace Cautery

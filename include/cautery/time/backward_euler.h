@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/base/cost.h>
+#include <cautery/physics/balance.h>
+#include <cautery/solve/linear_solver.h>
+#include <cautery/time/integrator.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace Cautery
+{
+  /**
+   * One balance in backward Euler's scheme (thesis Eqs. 6-25 to 6-27), written for the rate v = (x - x_old) / dt:
+   * (M / dt + C + dt K) v = F - K x_old + M v_old / dt.
+   * The rate form has no differences of large numbers, and becomes Fourier's scheme exactly as M goes to 0.
+   */
+  class BackwardEulerBalance
+  {
+  public:
+    BackwardEulerBalance(Balance &balance, const Numerics &numerics, Cost &cost);
+
+    /** Advances its part of @p state over @p step, iterating where the matrices depend on the state. */
+    void advance(const Step &step, State &state);
+
+    // The pieces of a step, of which a coupled step is made too.
+
+    /** Makes the system matrix for steps of @p length (s); returns false if it is that already. */
+    bool prepare(const double length);
+    /** Computes the condensed right-hand side, in which what prescribed entries do is accounted for. */
+    void update_right_hand_side(const Step &step, const State &state);
+    /** Adds the prescribed part to @p free_rate, then x += dt v. */
+    void apply(const Step &step, Vector &free_rate, State &state);
+    /**
+     * Calls @p solve, which returns the free rate; where the matrices depend on the state, again with new ones until the
+     * unknown does not change any more. Errors: ExcRun.
+     */
+    void repeat_until_settled(const Step &step, const State &state, const std::function<Vector &()> &solve);
+
+    Balance            &balance() { return equation; }
+    const SparseMatrix &system_matrix() const { return system; }
+    const Vector       &right_hand_side() const { return force; }
+    /** The rates of the prescribed entries, zero elsewhere; empty where they are zero. */
+    const Vector       &prescribed_rates() const { return prescribed_met ? no_rates : prescribed_rate; }
+    unsigned int        iterations() const { return n_iterations; }
+    std::string         name() const { return equation.name(); }
+
+  private:
+    void          subtract_prescribed(const Step &step, const Vector &x);
+    const Vector &complete(Vector &free_rate);
+
+    Balance        &equation;
+    const Numerics &numerics;
+    Cost           &cost;
+    LinearSolver    solver;
+    SparseMatrix    system;
+    double          system_length  = 0.;    ///< of the step that `system` is for, s
+    bool            prescribed_met = false; ///< does x have its prescribed values already, for good?
+    unsigned int    n_iterations   = 0;
+    Vector          force, rate, prescribed_rate, product;
+    const Vector    no_rates;
+  };
+
+  /**
+   * Fixed steps; balances that act on those after them only are advanced one after the other.
+   */
+  class BackwardEuler : public Integrator
+  {
+  public:
+    /** @p balances in the order in which they act on each other: heat first. */
+    BackwardEuler(const TimeSettings           &settings,
+                  const Numerics               &numerics,
+                  const std::vector<Balance *> &balances,
+                  Cost                         &cost);
+
+    void                          step(State &state, const double stop) override;
+    std::map<std::string, double> statistics() const override;
+
+  private:
+    const TimeSettings                                &settings;
+    std::vector<std::unique_ptr<BackwardEulerBalance>> balances;
+  };
+
+  /** The next step of a given length (s), lengthened by rounding only, or shortened to land on @p stop. */
+  Step next_step(const double time, const double length, const double stop);
+} // namespace Cautery

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/space/state.h>
+
+#include <map>
+#include <string>
+
+namespace Cautery
+{
+  /**
+   * Advances a State in time.
+   */
+  class Integrator
+  {
+  public:
+    virtual ~Integrator() = default;
+
+    /**
+     * One step, never beyond @p stop (s), on which the last step before it lands exactly.
+     * Errors: ExcRun with the reason; @p state is then that of the last good step.
+     */
+    virtual void step(State &state, const double stop) = 0;
+
+    /** Counts that a user may want to know: "linear iterations", ... */
+    virtual std::map<std::string, double> statistics() const = 0;
+  };
+} // namespace Cautery

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/version.h>
+#include <cautery/problems/simulation.h>
+
+#include <boost/program_options.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+  using namespace Cautery;
+  namespace options = boost::program_options;
+
+  enum ExitStatus
+  {
+    done        = 0,
+    failed      = 1,
+    wrong_input = 2
+  };
+
+  const char usage[] = R"(cautery simulates the thermal ablation of soft tissue.
+
+  cautery SCENE.prm [options]          run a scene
+  cautery check SCENE.prm [options]    validate it; print effects, unknowns, memory and steps; run nothing
+  cautery parameters                   print the documented template of a scene
+  mpirun -np N cautery ...             the same on N processes
+
+Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
+)";
+
+  struct CommandLine
+  {
+    std::string           command = "run";
+    std::string           scene;
+    std::string           directory;
+    std::vector<Override> overrides;
+  };
+
+  options::options_description known_options()
+  {
+    options::options_description description("Options");
+    description.add_options()("output", options::value<std::string>(), "directory to write into")(
+      "set",
+      options::value<std::vector<std::string>>()->composing(),
+      "\"Section/Entry=value\": replace an entry of the scene (may be given again)")("help",
+                                                                                     "print this")("version",
+                                                                                                   "print the version");
+    return description;
+  }
+
+  Override parse_override(const std::string &text)
+  {
+    const auto sign = text.find('=');
+    AssertThrow(sign != std::string::npos && sign > 0,
+                ExcInput("--set \"" + text + "\": write \"Section/Entry=value\""));
+    return {Utilities::trim(text.substr(0, sign)), Utilities::trim(text.substr(sign + 1))};
+  }
+
+  CommandLine parse(const int argc, char **argv)
+  {
+    CommandLine                             line;
+    options::variables_map                  given;
+    options::options_description            all = known_options();
+    options::positional_options_description positions;
+    all.add_options()("words", options::value<std::vector<std::string>>());
+    positions.add("words", -1);
+    try
+      {
+        options::store(options::command_line_parser(argc, argv).options(all).positional(positions).run(), given);
+      }
+    catch (const options::error &error)
+      {
+        AssertThrow(false, ExcInput(std::string(error.what()) + "; see cautery --help"));
+      }
+    auto words = given.count("words") ? given["words"].as<std::vector<std::string>>() : std::vector<std::string>();
+    if (given.count("help"))
+      words = {"help"};
+    if (given.count("version"))
+      words = {"version"};
+    AssertThrow(!words.empty(), ExcInput("give a scene to run; see cautery --help"));
+    for (const std::string command : {"check", "parameters", "help", "version"})
+      if (words.front() == command)
+        {
+          line.command = command;
+          words.erase(words.begin());
+          break;
+        }
+    const bool needs_scene = line.command == "run" || line.command == "check";
+    AssertThrow(words.size() == (needs_scene ? 1 : 0),
+                ExcInput("`" + line.command + "` takes " + (needs_scene ? "one scene" : "nothing more") +
+                         "; see cautery --help"));
+    if (needs_scene)
+      line.scene = words.front();
+    if (given.count("output"))
+      line.directory = given["output"].as<std::string>();
+    if (given.count("set"))
+      for (const auto &text : given["set"].as<std::vector<std::string>>())
+        line.overrides.push_back(parse_override(text));
+    return line;
+  }
+
+  template <int dim>
+  void simulate(const CommandLine &line, const Scene &scene)
+  {
+    Simulation<dim> simulation(scene, MPI_COMM_WORLD);
+    if (line.command == "check")
+      {
+        const std::string description = simulation.description();
+        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          std::cout << description << "The scene is complete and consistent.\n";
+        return;
+      }
+    std::string directory = line.directory.empty() ? scene.output.directory : line.directory;
+    if (directory.empty())
+      directory = "output/" + std::filesystem::path(line.scene).stem().string();
+    simulation.run(directory);
+  }
+
+  void run(const CommandLine &line)
+  {
+    const bool speaks = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    if (line.command == "help" && speaks)
+      std::cout << usage << '\n' << known_options();
+    else if (line.command == "version" && speaks)
+      std::cout << "cautery " << version << " (deal.II " << DEAL_II_PACKAGE_VERSION << ")\n";
+    else if (line.command == "parameters" && speaks)
+      std::cout << parameter_reference();
+    if (line.scene.empty())
+      return;
+    const Scene scene = read_scene(line.scene, line.overrides);
+    if (scene.dimension == 2)
+      simulate<2>(line, scene);
+    else
+      simulate<3>(line, scene);
+  }
+
+  std::string message_of(const std::exception &exception)
+  {
+    const auto *ours = dynamic_cast<const ExceptionBase *>(&exception);
+    if (ours == nullptr)
+      return exception.what();
+    std::ostringstream message;
+    ours->print_info(message);
+    return Utilities::trim(message.str());
+  }
+
+  /// One process says what all have met; a failure of one process alone is not waited for by the others.
+  ExitStatus report(const std::exception &exception, const ExitStatus status)
+  {
+    const unsigned int process = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    if (process == 0)
+      std::cerr << "cautery: " << message_of(exception) << std::endl;
+    return status;
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  ExitStatus                       status = done;
+  try
+    {
+      run(parse(argc, argv));
+    }
+  catch (const ExcInput &exception)
+    {
+      status = report(exception, wrong_input);
+    }
+  catch (const std::exception &exception)
+    {
+      status = report(exception, failed);
+    }
+  return status;
+}

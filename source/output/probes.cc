@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/output/probes.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace Cautery
+{
+  namespace
+  {
+    template <int dim>
+    std::vector<std::optional<typename PointLocator<dim>::Location>> locate(const std::vector<Probe>  &probes,
+                                                                            const PointLocator<dim> &locator)
+    {
+      std::vector<Point<dim>> places;
+      for (const auto &probe : probes)
+        {
+          places.emplace_back();
+          for (unsigned int d = 0; d < dim; ++d)
+            places.back()[d] = probe.place[d];
+        }
+      return locator.find_inside(places, "Output/Probe places");
+    }
+  } // namespace
+
+  template <int dim>
+  Probes<dim>::Probes(const std::vector<Probe> &probes, const PointLocator<dim> &locator, const Field<dim> &nodes)
+    : probes(probes)
+    , nodes(nodes)
+    , locations(locate(probes, locator))
+  {}
+
+  template <int dim>
+  void Probes<dim>::write_to(const std::string &file_name)
+  {
+    if (probes.empty() || Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
+      return;
+    file.open(file_name);
+    file.precision(12);
+    AssertThrow(file, ExcRun("cannot write " + file_name));
+  }
+
+  template <int dim>
+  double Probes<dim>::value(const unsigned int probe, const Vector &ghosted) const
+  {
+    const auto                          &location = *locations[probe];
+    const auto                           cell     = nodes.cell(location.cell);
+    std::vector<types::global_dof_index> dofs(nodes.element().n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    double result = 0.;
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      {
+        const double weight = nodes.element().shape_value(i, location.unit);
+        if (std::abs(weight) > 1e-8) // a node's value may be -infinity: no damage
+          result += weight * ghosted(dofs[i]);
+      }
+    return result;
+  }
+
+  template <int dim>
+  void Probes<dim>::observe(const Snapshot<dim> &snapshot)
+  {
+    if (probes.empty())
+      return;
+    const auto          columns = nodal_columns(snapshot);
+    std::vector<double> values(probes.size() * columns.size(), 0.);
+    for (unsigned int c = 0; c < columns.size(); ++c)
+      {
+        const Vector ghosted = nodes.ghosted(columns[c].values);
+        for (unsigned int p = 0; p < probes.size(); ++p)
+          if (locations[p])
+            values[p * columns.size() + c] = value(p, ghosted);
+      }
+    // one process has each probe, the others add zeros
+    Utilities::MPI::sum(values, nodes.communicator(), values);
+    if (Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
+      return;
+
+    const bool has_damage = !columns.empty() && columns.back().name == "ln_damage";
+    if (!has_header)
+      {
+        file << "time_s,probe,x_m,y_m,z_m";
+        for (const auto &column : columns)
+          file << ',' << column.name;
+        file << (has_damage ? ",damage\n" : "\n");
+        has_header = true;
+      }
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      {
+        const auto &place = probes[p].place;
+        file << snapshot.state.time << ',' << probes[p].name << ',' << place[0] << ',' << place[1] << ',' << place[2];
+        for (unsigned int c = 0; c < columns.size(); ++c)
+          file << ',' << values[p * columns.size() + c];
+        if (has_damage)
+          file << ',' << std::exp(values[(p + 1) * columns.size() - 1]);
+        file << '\n';
+      }
+    file.flush();
+    AssertThrow(file, ExcRun("cannot write probes.csv: is the disk full?"));
+  }
+
+  template class Probes<2>;
+  template class Probes<3>;
+} // namespace Cautery

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/physics/elasticity.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/numerics/vector_tools_constraints.h>
+
+namespace Cautery
+{
+  namespace
+  {
+    const Expression no_displacement(0.);
+
+    const Expression *prescribed_displacement(const Boundary &boundary, const unsigned int component)
+    {
+      if (boundary.mechanical == Boundary::Mechanical::fixed)
+        return &no_displacement;
+      return boundary.mechanical == Boundary::Mechanical::displacement ? &boundary.displacement[component] : nullptr;
+    }
+
+    template <int dim>
+    Point<dim> in_plane(const Point<3> &place)
+    {
+      Point<dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = place[d];
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  Elasticity<dim>::Elasticity(const Scene             &scene,
+                              const Field<dim>        &displacement,
+                              const Field<dim>        &nodes,
+                              const TissueMap<dim>    &tissues,
+                              const BoundaryMap<dim>  &boundaries,
+                              const PointLocator<dim> &locator)
+    : scene(scene)
+    , displacement(displacement)
+    , nodes(nodes)
+    , tissues(tissues)
+    , boundaries(boundaries)
+    , has_inertia(scene.effects.deformation == Effects::Deformation::inertia)
+    , properties_change(scene.effects.coupling != Effects::Coupling::off && scene.elastic_properties_change())
+    , keeps_rate(has_inertia || (scene.effects.coupling == Effects::Coupling::two_way &&
+                                 scene.effects.heat == Effects::Heat::non_fourier))
+    , prescribed(displacement, boundaries, prescribed_displacement)
+  {
+    std::vector<Point<dim>> places;
+    for (const auto &load : scene.loads.points)
+      places.push_back(in_plane<dim>(load.place));
+    load_places = locator.find_inside(places, "Loads");
+
+    constrain(boundaries);
+    // in equilibrium, a body that nothing moves needs no products with prescribed values
+    needs_full = has_inertia || scene.effects.coupling == Effects::Coupling::two_way || moved();
+    initialize_matrices();
+    if (scene.effects.coupling != Effects::Coupling::off && !properties_change)
+      expansion_operator = std::make_unique<ThermalExpansionOperator<dim>>(displacement, nodes, tissues);
+
+    for (const auto &load : scene.loads.points)
+      outer_load_changes = outer_load_changes || load.force.depends_on_time();
+    for (const auto &boundary : scene.boundaries)
+      outer_load_changes = outer_load_changes || boundary.traction.depends_on_time();
+    outer_load = displacement.vector();
+    assemble_outer_load(0., outer_load);
+    if (!properties_change)
+      assemble(nullptr);
+  }
+
+  template <int dim>
+  void Elasticity<dim>::constrain(const BoundaryMap<dim> &boundaries)
+  {
+    nothing_fixed.reinit(displacement.relevant());
+    nothing_fixed.close();
+    fixed.reinit(displacement.relevant());
+    prescribed.constrain(fixed);
+
+    std::set<types::boundary_id> rollers;
+    for (unsigned int b = 0; b < scene.boundaries.size(); ++b)
+      if (scene.boundaries[b].mechanical == Boundary::Mechanical::roller)
+        for (const auto id : boundaries.surfaces(b))
+          rollers.insert(id);
+    if (!rollers.empty())
+      {
+        AffineConstraints<double> sliding(displacement.relevant());
+        VectorTools::compute_no_normal_flux_constraints(displacement.dof_handler(),
+                                                        0,
+                                                        rollers,
+                                                        sliding,
+                                                        displacement.mapping());
+        sliding.close();
+        fixed.merge(sliding, AffineConstraints<double>::left_object_wins);
+      }
+    fixed.close();
+    eliminated.reinit(fixed, displacement.owned());
+  }
+
+  template <int dim>
+  void Elasticity<dim>::initialize_matrices()
+  {
+    displacement.initialize_matrix(elastic.reduced, displacement, &fixed);
+    if (needs_full)
+      displacement.initialize_matrix(elastic.full, displacement, &nothing_fixed);
+    if (has_inertia)
+      {
+        mass.reduced.reinit(elastic.reduced);
+        mass.full.reinit(elastic.full);
+      }
+    if (properties_change)
+      thermal_load = displacement.vector();
+  }
+
+  template <int dim>
+  std::vector<Vector> Elasticity<dim>::near_null_space() const
+  {
+    constexpr unsigned int n_rotations = dim == 3 ? 3 : 1;
+    std::vector<Vector>    modes(dim + n_rotations, displacement.vector());
+    const auto            &fe = displacement.element();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : displacement.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (displacement.owned().is_element(dofs[i]))
+            {
+              const unsigned int c = fe.system_to_component_index(i).first;
+              const auto place = displacement.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
+              modes[c](dofs[i]) = 1.;
+              // rotation r turns axis a = r+1 towards axis b = r+2 (in the plane: 0 towards 1)
+              for (unsigned int r = 0; r < n_rotations; ++r)
+                {
+                  const unsigned int a = dim == 3 ? (r + 1) % 3 : 0;
+                  const unsigned int b = dim == 3 ? (r + 2) % 3 : 1;
+                  if (c == a)
+                    modes[dim + r](dofs[i]) = -place[b];
+                  if (c == b)
+                    modes[dim + r](dofs[i]) = place[a];
+                }
+            }
+      }
+    for (auto &mode : modes)
+      mode.compress(VectorOperation::insert);
+    return modes;
+  }
+
+  template <int dim>
+  void Elasticity<dim>::assemble(const Vector *temperature)
+  {
+    const auto   &fe = displacement.element();
+    FEValues<dim> values(nodes.mapping(),
+                         nodes.element(),
+                         nodes.cell_quadrature(),
+                         update_values | update_gradients | update_JxW_values);
+    const unsigned int                   n = fe.n_dofs_per_cell();
+    FullMatrix<double>                   stiffness(n, n), inertia(n, n);
+    dealii::Vector<double>               local_load(n);
+    std::vector<types::global_dof_index> dofs(n);
+    std::vector<double>                  temperatures(values.n_quadrature_points);
+    elastic.reduced = 0.;
+    elastic.full    = 0.;
+    thermal_load    = 0.;
+
+    auto node_cell = nodes.dof_handler().begin_active();
+    for (const auto &cell : displacement.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_locally_owned())
+          {
+            const Tissue &tissue = tissues[cell->material_id()];
+            values.reinit(node_cell);
+            if (temperature != nullptr)
+              values.get_function_values(*temperature, temperatures);
+            stiffness  = 0.;
+            inertia    = 0.;
+            local_load = 0.;
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                Lame         lame   = tissue.elastic.lame(temperatures[q]);
+                const double factor = properties_change ? tissue.expansion.stiffness_factor(temperatures[q]) : 1.;
+                const double pressure =
+                  properties_change ? lame.bulk_modulus() * tissue.expansion.pressure_factor(temperatures[q]) : 0.;
+                lame.lambda *= factor * values.JxW(q);
+                lame.mu *= factor * values.JxW(q);
+                const double mass_weight = tissue.thermal.density * values.JxW(q);
+                for (unsigned int i = 0; i < n; ++i)
+                  {
+                    const auto [ci, ni]       = fe.system_to_component_index(i);
+                    const Tensor<1, dim> &g_i = values.shape_grad(ni, q);
+                    local_load(i) += pressure * g_i[ci] * values.JxW(q);
+                    for (unsigned int j = 0; j < n; ++j)
+                      {
+                        const auto [cj, nj]       = fe.system_to_component_index(j);
+                        const Tensor<1, dim> &g_j = values.shape_grad(nj, q);
+                        stiffness(i, j) += lame.lambda * g_i[ci] * g_j[cj] + lame.mu * g_i[cj] * g_j[ci];
+                        if (ci == cj)
+                          {
+                            stiffness(i, j) += lame.mu * (g_i * g_j);
+                            if (has_inertia)
+                              inertia(i, j) +=
+                                mass_weight * values.shape_value(ni, q) * values.shape_value(nj, q);
+                          }
+                      }
+                  }
+              }
+            cell->get_dof_indices(dofs);
+            fixed.distribute_local_to_global(stiffness, dofs, elastic.reduced);
+            if (needs_full)
+              nothing_fixed.distribute_local_to_global(stiffness, dofs, elastic.full);
+            if (has_inertia && temperature == nullptr)
+              {
+                fixed.distribute_local_to_global(inertia, dofs, mass.reduced);
+                nothing_fixed.distribute_local_to_global(inertia, dofs, mass.full);
+              }
+            if (properties_change)
+              thermal_load.add(dofs, local_load);
+          }
+        ++node_cell;
+      }
+    for (auto *matrix : {&elastic, &mass})
+      {
+        matrix->reduced.compress(VectorOperation::add);
+        matrix->full.compress(VectorOperation::add);
+      }
+    thermal_load.compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  void Elasticity<dim>::add_point_loads(const double time, Vector &force) const
+  {
+    const auto                          &fe = displacement.element();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (unsigned int p = 0; p < load_places.size(); ++p)
+      if (load_places[p])
+        {
+          const Tensor<1, 3> pull = scene.loads.points[p].force.value(scene.loads.points[p].place, time);
+          displacement.cell(load_places[p]->cell)->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            force(dofs[i]) += pull[fe.system_to_component_index(i).first] * fe.shape_value(i, load_places[p]->unit);
+        }
+  }
+
+  template <int dim>
+  void Elasticity<dim>::assemble_outer_load(const double time, Vector &force) const
+  {
+    const auto   &fe = displacement.element();
+    FEValues<dim> values(nodes.mapping(), nodes.element(), nodes.cell_quadrature(), update_values | update_JxW_values);
+    FEFaceValues<dim>                    face_values(nodes.mapping(),
+                                  nodes.element(),
+                                  nodes.face_quadrature(),
+                                  update_values | update_quadrature_points | update_JxW_values);
+    dealii::Vector<double>               local(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(local.size());
+    const auto                           add = [&](const auto &at, const unsigned int q, const Tensor<1, 3> &density) {
+      for (unsigned int i = 0; i < local.size(); ++i)
+        {
+          const auto [component, node] = fe.system_to_component_index(i);
+          local(i) += density[component] * at.shape_value(node, q) * at.JxW(q);
+        }
+    };
+
+    force          = 0.;
+    auto node_cell = nodes.dof_handler().begin_active();
+    for (const auto &cell : displacement.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_locally_owned() && (scene.effects.gravity || cell->at_boundary()))
+          {
+            local = 0.;
+            if (scene.effects.gravity)
+              {
+                values.reinit(node_cell);
+                for (const unsigned int q : values.quadrature_point_indices())
+                  add(values, q, tissues[cell->material_id()].thermal.density * Tensor<1, 3>(scene.loads.gravity));
+              }
+            for (const unsigned int face : cell->face_indices())
+              if (cell->face(face)->at_boundary() && boundaries[cell->face(face)->boundary_id()].mechanical ==
+                                                       Boundary::Mechanical::traction)
+                {
+                  const auto &traction = boundaries[cell->face(face)->boundary_id()].traction;
+                  face_values.reinit(node_cell, face);
+                  for (const unsigned int q : face_values.quadrature_point_indices())
+                    add(face_values, q, traction.value(in_space<dim>(face_values.quadrature_point(q)), time));
+                }
+            cell->get_dof_indices(dofs);
+            force.add(dofs, local);
+          }
+        ++node_cell;
+      }
+    add_point_loads(time, force);
+    force.compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  bool Elasticity<dim>::refresh(const State &state, const Vector &)
+  {
+    const Vector temperature = nodes.ghosted(state.temperature);
+    assemble(&temperature);
+    return true;
+  }
+
+  template <int dim>
+  void Elasticity<dim>::load_at(const double time, const State &state, Vector &force) const
+  {
+    if (outer_load_changes)
+      assemble_outer_load(time, force);
+    else
+      force = outer_load;
+    if (expansion_operator)
+      expansion_operator->add_force(state.temperature, force);
+    else if (properties_change)
+      force.add(1., thermal_load);
+  }
+
+  template <int dim>
+  void Elasticity<dim>::load(const Step &step, const State &state, Vector &force) const
+  {
+    load_at(step.to, state, force);
+  }
+
+  template class Elasticity<2>;
+  template class Elasticity<3>;
+} // namespace Cautery

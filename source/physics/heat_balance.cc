@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/physics/heat_balance.h>
+
+#include <cmath>
+
+namespace Cautery
+{
+  namespace
+  {
+    double sum(const Vector &x) { return x.mean_value() * x.size(); }
+  } // namespace
+
+  double HeatTotals::relative_error() const
+  {
+    const double moved = std::abs(sources) + std::abs(metabolism) + std::abs(stored) + std::abs(blood) +
+                         std::abs(boundary) + std::abs(expansion);
+    return moved > 0. ? std::abs(error()) / moved : 0.;
+  }
+
+  template <int dim>
+  HeatBalance<dim>::HeatBalance(Heat<dim>                        &heat,
+                                const ThermoelasticFeedback<dim> *feedback,
+                                const State                      &start,
+                                const Rule                        rule)
+    : heat(heat)
+    , feedback(feedback)
+    , rule(rule)
+    , delivered(heat.nodes().vector())
+    , left(heat.nodes().vector())
+    , since(start.time)
+    , temperature_then(start.temperature)
+    , temperature_integral(heat.nodes().vector())
+  {
+    if (rule == Rule::trapezoid)
+      last_temperature = start.temperature;
+    if (feedback != nullptr)
+      displacement_then = start.displacement;
+    if (heat.relaxes())
+      {
+        delayed          = start.temperature;
+        delayed_integral = heat.nodes().vector();
+      }
+  }
+
+  template <int dim>
+  void HeatBalance<dim>::record(const Step &step, const State &now)
+  {
+    const double  dt       = step.length();
+    const bool    implicit = rule == Rule::end_of_step;
+    const Vector &before   = implicit ? now.temperature : last_temperature;
+    heat.loads().record(step, delivered, received);
+    temperature_integral.add(0.5 * dt, before, 0.5 * dt, now.temperature);
+    if (heat.relaxes())
+      {
+        // Y by the same rule: tau (Y - Y_before) / dt + Y = T, or with the means of both ends
+        const double *const tau      = heat.books().delay.begin();
+        const double *const T        = now.temperature.begin();
+        const double *const T_before = before.begin();
+        double *const       Y        = delayed.begin();
+        double *const       integral = delayed_integral.begin();
+        for (unsigned int i = 0; i < delayed.locally_owned_size(); ++i)
+          {
+            const double r     = tau[i] / dt;
+            const double Y_old = Y[i];
+            Y[i]               = implicit ? (r * Y_old + T[i]) / (r + 1.) :
+                                            ((r - 0.5) * Y_old + 0.5 * (T[i] + T_before[i])) / (r + 0.5);
+            integral[i] += dt * (implicit ? Y[i] : 0.5 * (Y[i] + Y_old));
+          }
+      }
+    if (!implicit)
+      last_temperature = now.temperature;
+    if (heat.changes())
+      flush(now);
+  }
+
+  template <int dim>
+  void HeatBalance<dim>::flush(const State &now)
+  {
+    const auto  &books    = heat.books();
+    const double duration = now.time - since;
+    if (duration == 0.)
+      return;
+    Vector product = heat.nodes().vector();
+    Vector change  = now.temperature;
+    change -= temperature_then;
+
+    (heat.relaxes() ? books.capacity : heat.damping()->full).vmult(product, change);
+    stored += sum(product);
+    left -= product;
+    heat.stiffness().full.vmult(product, heat.relaxes() ? delayed_integral : temperature_integral);
+    left -= product;
+    if (heat.relaxes())
+      {
+        // blood and convection act on T itself, not on Y
+        change = temperature_integral;
+        change -= delayed_integral;
+        books.exchange.vmult(product, change);
+        left -= product;
+        delayed_integral = 0.;
+      }
+    if (feedback != nullptr)
+      {
+        change.reinit(now.displacement);
+        change = now.displacement;
+        change -= displacement_then;
+        feedback->matrix().vmult(product, change);
+        expansion += sum(product);
+        left -= product;
+        displacement_then = now.displacement;
+      }
+    left.add(duration, books.blood_source, duration, books.metabolism);
+    metabolism += duration * sum(books.metabolism);
+    blood += books.blood_weights * temperature_integral - duration * sum(books.blood_source);
+    surfaces += books.surface_weights * temperature_integral;
+
+    since                = now.time;
+    temperature_then     = now.temperature;
+    temperature_integral = 0.;
+  }
+
+  template <int dim>
+  HeatTotals HeatBalance<dim>::totals(const State &now)
+  {
+    flush(now);
+    Vector taken = left;
+    taken += delivered;
+    HeatTotals result;
+    result.sources    = received.sources;
+    result.metabolism = metabolism;
+    result.stored     = stored;
+    result.blood      = blood;
+    result.expansion  = expansion;
+    // convection and given fluxes are known; what is left over at nodes of prescribed temperature went through them
+    result.boundary = surfaces - received.surfaces + heat.prescribed_temperatures().sum(taken);
+    return result;
+  }
+
+  template class HeatBalance<2>;
+  template class HeatBalance<3>;
+} // namespace Cautery

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/physics/prescribed.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Cautery
+{
+  template <int dim>
+  Prescribed<dim>::Prescribed(const Field<dim>       &field,
+                              const BoundaryMap<dim> &boundaries,
+                              const Chooser          &chooser)
+    : field(field)
+  {
+    const FiniteElement<dim>            &fe = field.element();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : field.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_artificial() || !cell->at_boundary())
+          continue;
+        cell->get_dof_indices(dofs);
+        for (const unsigned int face : cell->face_indices())
+          {
+            if (!cell->face(face)->at_boundary())
+              continue;
+            const unsigned int boundary = boundaries.index(cell->face(face)->boundary_id());
+            for (const unsigned int i : field.on_face(face))
+              {
+                const auto        component  = fe.system_to_component_index(i).first;
+                const Expression *expression = chooser(boundaries[cell->face(face)->boundary_id()], component);
+                if (expression == nullptr)
+                  continue;
+                const auto place = field.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
+                const auto [known, is_new] =
+                  values.insert({dofs[i], {boundary, expression, in_space<dim>(place)}});
+                if (!is_new && boundary < known->second.boundary)
+                  known->second = {boundary, expression, in_space<dim>(place)};
+              }
+          }
+      }
+  }
+
+  template <int dim>
+  void Prescribed<dim>::constrain(AffineConstraints<double> &constraints) const
+  {
+    for (const auto &[dof, value] : values)
+      constraints.add_line(dof);
+  }
+
+  template <int dim>
+  void Prescribed<dim>::set(const double time, Vector &x) const
+  {
+    for (const auto &[dof, value] : values)
+      if (field.owned().is_element(dof))
+        x(dof) = value.expression->value(value.place, time);
+    x.compress(VectorOperation::insert);
+  }
+
+  template <int dim>
+  bool Prescribed<dim>::homogeneous() const
+  {
+    bool zero = true;
+    for (const auto &[dof, value] : values)
+      zero = zero && value.expression->is_constant() && value.expression->value(Point<3>(), 0.) == 0.;
+    return Utilities::MPI::min(zero ? 1 : 0, field.communicator()) == 1;
+  }
+
+  template <int dim>
+  bool Prescribed<dim>::depends_on_time() const
+  {
+    bool changes = false;
+    for (const auto &[dof, value] : values)
+      changes = changes || value.expression->depends_on_time();
+    return Utilities::MPI::max(changes ? 1 : 0, field.communicator()) == 1;
+  }
+
+  template <int dim>
+  double Prescribed<dim>::sum(const Vector &x) const
+  {
+    double local = 0.;
+    for (const auto &[dof, value] : values)
+      if (field.owned().is_element(dof))
+        local += x(dof);
+    return Utilities::MPI::sum(local, field.communicator());
+  }
+
+  template class Prescribed<2>;
+  template class Prescribed<3>;
+} // namespace Cautery

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/problems/mechanical_problem.h>
+#include <cautery/time/backward_euler.h>
+
+namespace Cautery
+{
+  template <int dim>
+  MechanicalProblem<dim>::MechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost)
+    : scene(scene)
+    , field(body.nodes, dim)
+    , elasticity(scene, field, body.nodes, body.tissues, body.boundaries, body.locator)
+    , gradients(body.nodes, body.tissues)
+    , recovery(scene.effects, gradients, field, body.tissues)
+  {
+    if (scene.effects.deformation == Effects::Deformation::inertia)
+      integrator =
+        std::make_unique<BackwardEuler>(scene.time, scene.numerics, std::vector<Balance *>{&elasticity}, cost);
+    else
+      equilibrium = std::make_unique<Equilibrium>(elasticity, cost);
+  }
+
+  template <int dim>
+  State MechanicalProblem<dim>::start()
+  {
+    State state;
+    state.displacement = field.vector();
+    if (integrator)
+      state.displacement_rate = field.vector();
+    return state;
+  }
+
+  template <int dim>
+  void MechanicalProblem<dim>::step(State &state, const double stop)
+  {
+    if (integrator)
+      {
+        integrator->step(state, stop);
+        return;
+      }
+    // nothing remembers the past: only the displacement at outputs is asked for
+    state.time = stop;
+    ++state.step;
+  }
+
+  template <int dim>
+  void MechanicalProblem<dim>::complete(State &state)
+  {
+    if (!equilibrium || solved_at == state.time)
+      return;
+    equilibrium->solve(state);
+    solved_at = state.time;
+  }
+
+  template <int dim>
+  std::optional<MechanicalFields<dim>> MechanicalProblem<dim>::mechanical_fields(const State &state) const
+  {
+    return recovery.evaluate(state);
+  }
+
+  template <int dim>
+  std::map<std::string, types::global_dof_index> MechanicalProblem<dim>::unknowns() const
+  {
+    return {{"displacement", field.n_unknowns()}};
+  }
+
+  template <int dim>
+  std::map<std::string, double> MechanicalProblem<dim>::statistics() const
+  {
+    if (integrator)
+      return integrator->statistics();
+    return {{"linear_iterations_deformation", equilibrium->iterations()}};
+  }
+
+  template class MechanicalProblem<2>;
+  template class MechanicalProblem<3>;
+} // namespace Cautery

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/output/fields.h>
+#include <cautery/problems/simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace Cautery
+{
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene &scene, const MPI_Comm communicator)
+    : scene(scene)
+    , communicator(communicator)
+  {
+    {
+      const auto scope = cost.measure("set-up: mesh");
+      body             = std::make_unique<Body<dim>>(scene, communicator);
+    }
+    const auto scope = cost.measure("set-up: operators");
+    problem          = make_problem(scene, *body, cost);
+    probes           = std::make_unique<Probes<dim>>(scene.output.probes(), body->locator, body->nodes);
+    if (scene.effects.has_damage())
+      ablation = std::make_unique<AblationZone<dim>>(scene.output.ablation_centre, body->nodes);
+  }
+
+  template <int dim>
+  std::string Simulation<dim>::description() const
+  {
+    std::ostringstream out;
+    const auto        &mesh = body->mesh;
+    if (!scene.title.empty())
+      out << scene.title << "\n\n";
+    out << "Effects on     " << join(scene.effects.on(), ", ") << '\n'
+        << "Effects off    " << join(scene.effects.off(), ", ") << '\n'
+        << "Mesh           " << mesh.name() << ": " << mesh.n_cells() << ' '
+        << (mesh.simplices() ? (dim == 3 ? "tetrahedra" : "triangles") : (dim == 3 ? "hexahedra" : "quadrilaterals"))
+        << ", " << mesh.n_vertices() << " nodes, " << mesh.volume() << (dim == 3 ? " m3" : " m2") << '\n';
+    for (const auto &note : mesh.notes())
+      out << "               note: " << note << '\n';
+    out << "Unknowns      ";
+    for (const auto &[name, number] : problem->unknowns())
+      out << ' ' << number << ' ' << name;
+    out << '\n' << "Time           " << scene.time.end << " s, ";
+    if (scene.time.integrator == TimeSettings::Integrator::ida)
+      out << "steps chosen by IDA";
+    else
+      out << std::ceil(scene.time.end / scene.time.step * (1. - 1e-12)) << " steps of " << scene.time.step << " s";
+    out << ", " << scene.output.output_times(scene.time.end).size() << " output times\n"
+        << "Memory         " << std::fixed << std::setprecision(0)
+        << 1e-6 * Utilities::MPI::max(Cost::peak_memory(), communicator) << " MB a process before the first step\n\n";
+    return out.str();
+  }
+
+  template <int dim>
+  void Simulation<dim>::prepare_directory(const std::string &directory) const
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        std::filesystem::create_directories(directory, error);
+        std::ofstream complete(directory + "/scene.prm");
+        complete << scene.complete_text;
+        AssertThrow(complete,
+                    ExcInput("the output directory `" + directory +
+                             "` cannot be written; give another one with --output"));
+      }
+    MPI_Barrier(communicator);
+  }
+
+  template <int dim>
+  void Simulation<dim>::run(const std::string &directory)
+  {
+    prepare_directory(directory);
+    Progress progress(Utilities::MPI::this_mpi_process(communicator) == 0, directory + "/log.txt", scene.time.end);
+    progress.say(description());
+    probes->write_to(directory + "/probes.csv");
+    if (scene.output.fields)
+      others.push_back(std::make_unique<Fields<dim>>(directory));
+
+    State state = problem->start();
+    extremes.observe(state, dim);
+    try
+      {
+        observe(state);
+        for (const double time : scene.output.output_times(scene.time.end))
+          {
+            while (state.time < time)
+              advance(state, time, progress);
+            observe(state);
+            progress.say(progress.line(state.time, state.step, extremes.reduced(communicator).hottest_now) + '\n');
+          }
+      }
+    catch (const ExcRun &failure)
+      {
+        std::ostringstream reason;
+        failure.print_info(reason);
+        observe(state); // the last good state
+        finish(state, directory, reason.str(), progress);
+        throw;
+      }
+    finish(state, directory, "", progress);
+  }
+
+  template <int dim>
+  void Simulation<dim>::advance(State &state, const double stop, Progress &progress)
+  {
+    const Timer timer;
+    problem->step(state, stop);
+    loop_seconds += timer.wall_time();
+    AssertThrow(state.step <= scene.time.max_steps,
+                ExcRun("Time/Largest number of steps = " + std::to_string(scene.time.max_steps) +
+                       " was reached at t = " + to_text(state.time) + " s; allow more, or larger steps"));
+    extremes.observe(state, dim);
+    AssertThrow(!scene.effects.has_heat() || std::isfinite(extremes.hottest_now),
+                ExcRun("the temperature is not finite at t = " + to_text(state.time) +
+                       " s; take a smaller Time/Step"));
+    if (scene.output.every_step)
+      progress.say(progress.line(state.time, state.step, extremes.hottest_now) + '\n');
+    else
+      progress.show(state.time, state.step, extremes.hottest_now);
+  }
+
+  template <int dim>
+  void Simulation<dim>::observe(State &state)
+  {
+    problem->complete(state);
+    extremes.observe(state, dim);
+    std::optional<MechanicalFields<dim>> mechanical;
+    if (problem->displacement() != nullptr)
+      {
+        const auto scope = cost.measure("deformation: strain and stress");
+        mechanical       = problem->mechanical_fields(state);
+      }
+    const Snapshot<dim> snapshot{state, body->nodes, problem->displacement(), mechanical ? &*mechanical : nullptr};
+    const auto          look = [&](Observer<dim> &observer) {
+      const auto scope = cost.measure(observer.name());
+      observer.observe(snapshot);
+    };
+    look(*probes);
+    if (ablation)
+      look(*ablation);
+    for (auto &observer : others)
+      look(*observer);
+  }
+
+  template <int dim>
+  RunRecord Simulation<dim>::record(const State &state) const
+  {
+    RunRecord result;
+    result.title      = scene.title;
+    result.effects    = scene.effects;
+    result.end_time   = state.time;
+    result.unknowns   = problem->unknowns();
+    result.time_steps = state.step;
+    result.statistics = problem->statistics();
+    result.extremes   = extremes.reduced(communicator);
+    result.balance    = problem->heat_totals(state);
+    if (ablation)
+      {
+        RunRecord::Ablation zone;
+        zone.volume = ablation->volume();
+        zone.radius = ablation->radius();
+        zone.centre = scene.output.ablation_centre;
+        for (const auto &[id, volume] : ablation->volumes())
+          zone.regions[std::to_string(id)] = {body->mesh.regions().at(id),
+                                              volume,
+                                              volume / body->mesh.volumes().at(id)};
+        result.ablation = zone;
+      }
+    result.wall_seconds      = cost.wall_seconds();
+    result.seconds_per_step  = state.step > 0 ? loop_seconds / state.step : 0.;
+    result.seconds_by_part   = cost.seconds_by_part();
+    result.seconds_by_effect = cost.seconds_by_effect();
+    result.peak_memory       = Utilities::MPI::sum(Cost::peak_memory(), communicator);
+    result.processes         = Utilities::MPI::n_mpi_processes(communicator);
+    return result;
+  }
+
+  template <int dim>
+  void Simulation<dim>::finish(const State       &state,
+                               const std::string &directory,
+                               const std::string &failure,
+                               Progress          &progress)
+  {
+    RunRecord result = record(state);
+    result.status    = failure.empty() ? "done" : "failed";
+    result.message   = failure;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      result.write(directory + "/summary.json");
+    progress.say('\n' + result.text() + "Results        " + directory + '\n');
+  }
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace Cautery

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/problems/thermal_problem.h>
+#include <cautery/time/backward_euler.h>
+#include <cautery/time/ida_heat.h>
+
+namespace Cautery
+{
+  template <int dim>
+  void start_heat(const Scene &scene, const Field<dim> &nodes, State &state)
+  {
+    state.temperature = nodes.vector();
+    const auto                          &support = nodes.element().get_unit_support_points();
+    std::vector<types::global_dof_index> dofs(support.size());
+    for (const auto &cell : nodes.dof_handler().active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (nodes.owned().is_element(dofs[i]))
+              state.temperature(dofs[i]) = scene.initial_temperature.value(
+                in_space<dim>(nodes.mapping().transform_unit_to_real_cell(cell, support[i])), 0.);
+        }
+    state.temperature.compress(VectorOperation::insert);
+    if (scene.effects.heat == Effects::Heat::non_fourier)
+      state.temperature_rate = nodes.vector();
+  }
+
+  template <int dim>
+  typename HeatBalance<dim>::Rule bookkeeping_rule(const TimeSettings &settings)
+  {
+    return settings.integrator == TimeSettings::Integrator::ida ? HeatBalance<dim>::Rule::trapezoid :
+                                                                  HeatBalance<dim>::Rule::end_of_step;
+  }
+
+  template <int dim>
+  ThermalProblem<dim>::ThermalProblem(const Scene &scene, const Body<dim> &body, Cost &cost)
+    : scene(scene)
+    , body(body)
+    , cost(cost)
+    , heat(scene, body.nodes, body.tissues, body.boundaries, body.locator)
+  {
+    if (scene.time.integrator == TimeSettings::Integrator::ida)
+      integrator = std::make_unique<IdaHeat<dim>>(scene.time, heat, cost);
+    else
+      integrator =
+        std::make_unique<BackwardEuler>(scene.time, scene.numerics, std::vector<Balance *>{&heat}, cost);
+    if (scene.effects.damage == Effects::Damage::critical_thermal_load)
+      gradients = std::make_unique<NodalGradients<dim>>(body.nodes, body.tissues);
+    if (scene.effects.has_damage())
+      damage = std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, gradients.get(), nullptr);
+  }
+
+  template <int dim>
+  State ThermalProblem<dim>::start()
+  {
+    State state;
+    start_heat(scene, body.nodes, state);
+    if (damage)
+      damage->start(state);
+    books = std::make_unique<HeatBalance<dim>>(heat, nullptr, state, bookkeeping_rule<dim>(scene.time));
+    return state;
+  }
+
+  template <int dim>
+  void ThermalProblem<dim>::step(State &state, const double stop)
+  {
+    const double from = state.time;
+    integrator->step(state, stop);
+    {
+      const auto scope = cost.measure("heat: balance");
+      books->record({from, state.time}, state);
+    }
+    if (damage)
+      {
+        const auto scope = cost.measure("damage: history");
+        damage->advance(state.time - from, state);
+      }
+  }
+
+  template <int dim>
+  std::optional<HeatTotals> ThermalProblem<dim>::heat_totals(const State &state)
+  {
+    return books->totals(state);
+  }
+
+  template <int dim>
+  std::map<std::string, types::global_dof_index> ThermalProblem<dim>::unknowns() const
+  {
+    std::map<std::string, types::global_dof_index> result = {{"temperature", body.nodes.n_unknowns()}};
+    if (heat.relaxes())
+      result["temperature_rate"] = body.nodes.n_unknowns();
+    return result;
+  }
+
+  template void start_heat(const Scene &, const Field<2> &, State &);
+  template void start_heat(const Scene &, const Field<3> &, State &);
+  template HeatBalance<2>::Rule bookkeeping_rule<2>(const TimeSettings &);
+  template HeatBalance<3>::Rule bookkeeping_rule<3>(const TimeSettings &);
+  template class ThermalProblem<2>;
+  template class ThermalProblem<3>;
+} // namespace Cautery

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/problems/thermal_problem.h>
+#include <cautery/problems/thermomechanical_problem.h>
+#include <cautery/problems/mechanical_problem.h>
+#include <cautery/time/coupled_backward_euler.h>
+#include <cautery/time/ida_heat.h>
+
+namespace Cautery
+{
+  namespace
+  {
+    bool every_step(const Scene &scene)
+    {
+      return scene.numerics.displacement_at == Numerics::DisplacementAt::every_step ||
+             scene.effects.damage_needs_strain_energy();
+    }
+  } // namespace
+
+  template <int dim>
+  ThermomechanicalProblem<dim>::ThermomechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost)
+    : scene(scene)
+    , body(body)
+    , cost(cost)
+    , field(body.nodes, dim)
+    , heat(scene, body.nodes, body.tissues, body.boundaries, body.locator)
+    , elasticity(scene, field, body.nodes, body.tissues, body.boundaries, body.locator)
+    , displacement_at_every_step(every_step(scene))
+    , equilibrium(elasticity, cost)
+    , gradients(body.nodes, body.tissues)
+    , recovery(scene.effects, gradients, field, body.tissues)
+  {
+    make_integrator();
+    if (scene.effects.has_damage())
+      damage = std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, &gradients, &recovery);
+  }
+
+  template <int dim>
+  void ThermomechanicalProblem<dim>::make_integrator()
+  {
+    if (scene.effects.coupling == Effects::Coupling::two_way)
+      {
+        feedback = std::make_unique<ThermoelasticFeedback<dim>>(body.nodes, field, body.tissues, heat.relaxes());
+        integrator = std::make_unique<CoupledBackwardEuler<dim>>(
+          scene.time, scene.numerics, heat, elasticity, *elasticity.expansion(), *feedback, cost);
+      }
+    else if (scene.time.integrator == TimeSettings::Integrator::ida)
+      integrator = std::make_unique<IdaHeat<dim>>(scene.time, heat, cost);
+    else
+      {
+        std::vector<Balance *> balances = {&heat};
+        if (scene.effects.deformation == Effects::Deformation::inertia)
+          balances.push_back(&elasticity);
+        integrator = std::make_unique<BackwardEuler>(scene.time, scene.numerics, balances, cost);
+      }
+  }
+
+  template <int dim>
+  State ThermomechanicalProblem<dim>::start()
+  {
+    State state;
+    start_heat(scene, body.nodes, state);
+    state.displacement = field.vector();
+    if (elasticity.rate() != nullptr)
+      state.displacement_rate = field.vector();
+    // with inertia a body starts at rest and undeformed; without it, in equilibrium
+    if (scene.effects.deformation == Effects::Deformation::equilibrium && (displacement_at_every_step || feedback))
+      equilibrium.solve(state);
+    if (damage)
+      damage->start(state);
+    books = std::make_unique<HeatBalance<dim>>(heat, feedback.get(), state, bookkeeping_rule<dim>(scene.time));
+    return state;
+  }
+
+  template <int dim>
+  void ThermomechanicalProblem<dim>::step(State &state, const double stop)
+  {
+    const double from = state.time;
+    integrator->step(state, stop);
+    {
+      const auto scope = cost.measure("heat: balance");
+      books->record({from, state.time}, state);
+    }
+    if (displacement_at_every_step)
+      complete(state);
+    if (damage)
+      {
+        const auto scope = cost.measure("damage: history");
+        damage->advance(state.time - from, state);
+      }
+  }
+
+  template <int dim>
+  void ThermomechanicalProblem<dim>::complete(State &state)
+  {
+    const bool integrated = feedback || scene.effects.deformation == Effects::Deformation::inertia;
+    if (integrated || solved_at == state.time)
+      return;
+    equilibrium.solve(state);
+    solved_at = state.time;
+  }
+
+  template <int dim>
+  std::optional<MechanicalFields<dim>> ThermomechanicalProblem<dim>::mechanical_fields(const State &state) const
+  {
+    return recovery.evaluate(state);
+  }
+
+  template <int dim>
+  std::optional<HeatTotals> ThermomechanicalProblem<dim>::heat_totals(const State &state)
+  {
+    return books->totals(state);
+  }
+
+  template <int dim>
+  std::map<std::string, types::global_dof_index> ThermomechanicalProblem<dim>::unknowns() const
+  {
+    std::map<std::string, types::global_dof_index> result = {{"temperature", body.nodes.n_unknowns()},
+                                                             {"displacement", field.n_unknowns()}};
+    if (heat.relaxes())
+      result["temperature_rate"] = body.nodes.n_unknowns();
+    return result;
+  }
+
+  template <int dim>
+  std::map<std::string, double> ThermomechanicalProblem<dim>::statistics() const
+  {
+    auto result = integrator->statistics();
+    if (equilibrium.iterations() > 0)
+      result["linear_iterations_deformation"] = equilibrium.iterations();
+    return result;
+  }
+
+  template <int dim>
+  std::unique_ptr<Problem<dim>> make_problem(const Scene &scene, const Body<dim> &body, Cost &cost)
+  {
+    if (!scene.effects.has_deformation())
+      return std::make_unique<ThermalProblem<dim>>(scene, body, cost);
+    if (!scene.effects.has_heat())
+      return std::make_unique<MechanicalProblem<dim>>(scene, body, cost);
+    return std::make_unique<ThermomechanicalProblem<dim>>(scene, body, cost);
+  }
+
+  template std::unique_ptr<Problem<2>> make_problem(const Scene &, const Body<2> &, Cost &);
+  template std::unique_ptr<Problem<3>> make_problem(const Scene &, const Body<3> &, Cost &);
+  template class ThermomechanicalProblem<2>;
+  template class ThermomechanicalProblem<3>;
+} // namespace Cautery

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/time/equilibrium.h>
+
+namespace Cautery
+{
+  Equilibrium::Equilibrium(Balance &balance, Cost &cost)
+    : equation(balance)
+    , cost(cost)
+    , solver(balance.solver_settings(), balance.n_components(), [&balance]() { return balance.near_null_space(); })
+  {}
+
+  void Equilibrium::solve(State &state)
+  {
+    Vector &x = state.*equation.unknown();
+    if (!ready || equation.changes())
+      {
+        const auto scope = cost.measure(equation.name() + ": assembly");
+        if (equation.changes())
+          equation.refresh(state, x);
+        solver.set_matrix(equation.stiffness().reduced);
+        for (auto *vector : {&force, &solution, &product})
+          vector->reinit(x);
+        ready = true;
+      }
+
+    const bool moved = equation.stiffness().full.m() > 0; // else all prescribed values are zero
+    {
+      const auto scope = cost.measure(equation.name() + ": load");
+      equation.load({state.time, state.time}, state, force);
+      if (moved)
+        {
+          x = 0.;
+          equation.prescribe(state.time, x);
+          equation.stiffness().full.vmult(product, x);
+          force -= product;
+        }
+      equation.elimination().condense(force);
+    }
+    const auto scope = cost.measure(equation.name() + ": solve");
+    n_iterations += solver.solve(solution, force);
+    equation.elimination().distribute(solution);
+    if (moved)
+      x += solution;
+    else
+      x = solution;
+  }
+} // namespace Cautery

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/time/ida_heat.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Cautery
+{
+  namespace
+  {
+    /// A temperature may err by the tolerance; its rate by that in one second.
+    std::vector<double> tolerances(const TimeSettings &settings, const bool second_order)
+    {
+      return std::vector<double>(second_order ? 2 : 1, settings.absolute_tolerance);
+    }
+  } // namespace
+
+  template <int dim>
+  IdaHeat<dim>::IdaHeat(const TimeSettings &settings, Heat<dim> &heat, Cost &cost)
+    : settings(settings)
+    , heat(heat)
+    , cost(cost)
+    , second_order(heat.relaxes())
+    , switches(heat.loads().switching_times(settings.end))
+    , ida(*this, settings.relative_tolerance, tolerances(settings, second_order), settings.max_steps)
+    , solver(heat.solver_settings(), 1, [&heat]() { return heat.near_null_space(); })
+    , mass_solver(heat.solver_settings(), 1, [&heat]() { return heat.near_null_space(); })
+  {
+    for (auto *vector : {&y, &y_dot})
+      {
+        vector->reinit(second_order ? 2 : 1);
+        for (unsigned int b = 0; b < vector->n_blocks(); ++b)
+          vector->block(b) = heat.nodes().vector();
+        vector->collect_sizes();
+      }
+    force = product = boundary = heat.nodes().vector();
+  }
+
+  template <int dim>
+  double IdaHeat<dim>::next_switch(const double time) const
+  {
+    const auto after = std::upper_bound(switches.begin(), switches.end(), time);
+    return after == switches.end() ? settings.end : *after;
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::prescribed_rate(const double time, Vector &rate) const
+  {
+    rate = 0.;
+    if (!heat.prescription_changes())
+      return;
+    const double h = 1e-5 * std::max(1., time);
+    Vector       earlier(rate);
+    heat.prescribe(time + h, rate);
+    heat.prescribe(time - h, earlier);
+    rate -= earlier;
+    rate *= 1. / (2. * h);
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::refresh_properties(const Vector &temperature)
+  {
+    if (!heat.changes())
+      return;
+    State now;
+    now.temperature = temperature;
+    if (properties != nullptr)
+      now.ln_damage = properties->ln_damage;
+    heat.refresh(now, temperature);
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::residual(const double       time,
+                              const BlockVector &now,
+                              const BlockVector &now_dot,
+                              BlockVector       &result)
+  {
+    refresh_properties(now.block(0));
+    Vector &balance = result.block(second_order ? 1 : 0);
+    heat.load_at(time, within, force);
+    heat.stiffness().full.vmult(balance, now.block(0));
+    balance -= force;
+    heat.damping()->full.vmult(product, second_order ? now.block(1) : now_dot.block(0));
+    balance += product;
+    if (second_order)
+      {
+        heat.inertia()->full.vmult(product, now_dot.block(1));
+        balance += product;
+        result.block(0) = now_dot.block(0);
+        result.block(0) -= now.block(1);
+      }
+
+    // prescribed entries: T - g = 0 and V - g' = 0
+    const auto replace = [this](Vector &block, const Vector &is, const Vector &should) {
+      heat.elimination().condense(block);
+      product = is;
+      product -= should;
+      heat.elimination().keep_constrained(product);
+      block += product;
+    };
+    boundary = now.block(0);
+    heat.prescribe(time, boundary);
+    replace(result.block(0), now.block(0), boundary);
+    if (second_order)
+      {
+        prescribed_rate(time, boundary);
+        replace(result.block(1), now.block(1), boundary);
+      }
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::setup_jacobian(const double, const BlockVector &, const BlockVector &, const double new_alpha)
+  {
+    alpha = new_alpha;
+    system.copy_from(heat.stiffness().reduced);
+    system.add(alpha, heat.damping()->reduced);
+    if (second_order)
+      system.add(alpha * alpha, heat.inertia()->reduced);
+    solver.set_matrix(system);
+  }
+
+  template <int dim>
+  void
+  IdaHeat<dim>::solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double tolerance)
+  {
+    Vector fixed = right_hand_side.block(0); // prescribed entries of the solution
+    heat.elimination().keep_constrained(fixed);
+    const bool moved = fixed.linfty_norm() > 0.;
+    Vector     lag   = heat.nodes().vector(); // alpha dT - dV
+    if (second_order)
+      {
+        // V = alpha T - lag turns the second row into (K + alpha C + alpha^2 M) T = b + (alpha M + C) lag
+        lag = right_hand_side.block(1);
+        heat.elimination().keep_constrained(lag);
+        lag.sadd(-1., alpha, fixed);
+        Vector free = right_hand_side.block(0);
+        heat.elimination().condense(free);
+        lag += free;
+        force = right_hand_side.block(1);
+        heat.damping()->full.vmult(product, lag);
+        force += product;
+        heat.inertia()->full.vmult(product, lag);
+        force.add(alpha, product);
+      }
+    else
+      force = right_hand_side.block(0);
+    if (moved)
+      {
+        heat.stiffness().full.vmult(product, fixed);
+        force -= product;
+        heat.damping()->full.vmult(product, fixed);
+        force.add(-alpha, product);
+        if (second_order)
+          {
+            heat.inertia()->full.vmult(product, fixed);
+            force.add(-alpha * alpha, product);
+          }
+      }
+    heat.elimination().condense(force);
+    n_iterations += solver.solve(x.block(0), force, tolerance);
+    heat.elimination().distribute(x.block(0));
+    x.block(0) += fixed;
+    if (second_order)
+      {
+        x.block(1).equ(alpha, x.block(0));
+        x.block(1) -= lag;
+      }
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::jump(const double time)
+  {
+    if (!second_order)
+      return;
+    force = 0.;
+    heat.loads().add_jump(time, force);
+    heat.elimination().condense(force);
+    mass_solver.set_matrix(heat.inertia()->reduced);
+    mass_solver.solve(product, force, 1e-12);
+    heat.elimination().distribute(product);
+    y.block(1) += product;
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::make_consistent(const double time)
+  {
+    heat.prescribe(time, y.block(0));
+    prescribed_rate(time, boundary);
+    if (second_order)
+      {
+        Vector free = y.block(1);
+        heat.elimination().condense(free);
+        y.block(1) = boundary;
+        y.block(1) += free;
+        y_dot.block(0) = y.block(1);
+      }
+    // the highest derivative from the balance
+    Vector &highest = y_dot.block(second_order ? 1 : 0);
+    Vector  rate    = boundary; // prescribed part of T'
+    refresh_properties(y.block(0));
+    heat.load_at(time, within, force);
+    heat.stiffness().full.vmult(product, y.block(0));
+    force -= product;
+    heat.damping()->full.vmult(product, second_order ? y.block(1) : rate);
+    force -= product;
+    heat.elimination().condense(force);
+    mass_solver.set_matrix(second_order ? heat.inertia()->reduced : heat.damping()->reduced);
+    mass_solver.solve(highest, force, 1e-12);
+    heat.elimination().distribute(highest);
+    if (!second_order)
+      highest += rate;
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::start(State &state)
+  {
+    y.block(0) = state.temperature;
+    if (second_order)
+      y.block(1) = state.temperature_rate;
+    within = 0.5 * (state.time + next_switch(state.time));
+    jump(state.time);
+    make_consistent(state.time);
+    ida.restart(state.time, y, y_dot);
+    fresh = false;
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::step(State &state, const double stop)
+  {
+    const auto scope = cost.measure("heat: IDA");
+    properties       = &state;
+    if (fresh)
+      start(state);
+    const double switch_time = next_switch(state.time);
+    state.time               = ida.step(y, y_dot, std::min(stop, switch_time));
+    state.temperature        = y.block(0);
+    if (second_order)
+      state.temperature_rate = y.block(1);
+    ++state.step;
+    fresh = state.time >= switch_time && switch_time < settings.end;
+  }
+
+  template <int dim>
+  std::map<std::string, double> IdaHeat<dim>::statistics() const
+  {
+    const auto &counts = ida.statistics();
+    return {{"linear_iterations_heat", static_cast<double>(n_iterations)},
+            {"residual_evaluations", static_cast<double>(counts.residual_evaluations)},
+            {"jacobian_set_ups", static_cast<double>(counts.jacobian_set_ups)},
+            {"repeated_steps", static_cast<double>(counts.error_test_failures + counts.convergence_failures)}};
+  }
+
+  template class IdaHeat<2>;
+  template class IdaHeat<3>;
+} // namespace Cautery
