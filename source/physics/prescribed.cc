@@ -20,7 +20,7 @@ namespace Cautery
         cell->get_dof_indices(dofs);
         for (const unsigned int face : cell->face_indices())
           {
-            if (!cell->face(face)->at_boundary())
+            if (!cell->face(face)->at_boundary() || cell->face(face)->boundary_id() == no_surface)
               continue;
             const unsigned int boundary = boundaries.index(cell->face(face)->boundary_id());
             for (const unsigned int i : field.on_face(face))

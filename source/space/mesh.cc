@@ -30,6 +30,28 @@ namespace Cautery
       return faces;
     }
 
+    /**
+     * Where the part of a process ends, faces of ghost cells look like the body's surface, of number 0. They get a number
+     * that no surface has.
+     */
+    template <int dim>
+    void mark_ends_of_part(const TriangulationDescription::Description<dim, dim> &part, Triangulation<dim> &cells)
+    {
+      for (const auto &level : part.cell_infos)
+        for (const auto &info : level)
+          {
+            const auto cell = cells.create_cell_iterator(CellId(info.id));
+            if (!cell->is_active() || !cell->is_ghost())
+              continue;
+            for (const unsigned int face : cell->face_indices())
+              if (cell->face(face)->at_boundary() &&
+                  std::none_of(info.boundary_ids.begin(), info.boundary_ids.end(), [face](const auto &real) {
+                    return real.first == face;
+                  }))
+                cell->face(face)->set_boundary_id(no_surface);
+          }
+    }
+
     /** Runs @p work on the root process alone; where it rejects the input there, all processes reject it. */
     template <typename Work>
     void on_root(const MPI_Comm communicator, const Work &work)
@@ -147,6 +169,7 @@ namespace Cautery
     part.comm        = mpi_communicator; // which does not travel
     auto distributed = std::make_unique<parallel::fullydistributed::Triangulation<dim>>(mpi_communicator);
     distributed->create_triangulation(part);
+    mark_ends_of_part<dim>(part, *distributed);
     cells = std::move(distributed);
   }
 

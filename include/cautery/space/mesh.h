@@ -21,6 +21,9 @@ namespace Cautery
   template <int dim>
   struct PlainMesh;
 
+  /** The number of faces at which the part of a process ends inside the body; seen on ghost cells only. */
+  constexpr types::boundary_id no_surface = numbers::internal_face_boundary_id - 1;
+
   /**
    * The body as cells of one kind, simplices or hypercubes, distributed over the processes.
    *
