@@ -59,7 +59,9 @@ namespace Cautery
   ThermalExpansionOperator<dim>::ThermalExpansionOperator(const Field<dim>     &displacement,
                                                           const Field<dim>     &nodes,
                                                           const TissueMap<dim> &tissues)
-    : reference(displacement.vector())
+    : common_reference(tissues.tissue(0).expansion.reference_temperature)
+    , reference(displacement.vector())
+    , excess(nodes.vector())
     , product(displacement.vector())
   {
     displacement.initialize_matrix(matrix, nodes, nullptr);
@@ -73,7 +75,7 @@ namespace Cautery
       cell->get_dof_indices(rows);
       local.copy_transposed(divergence);
       local *= beta(tissue);
-      ones = tissue.expansion.reference_temperature;
+      ones = tissue.expansion.reference_temperature - common_reference;
       local.vmult(local_reference, ones);
       matrix.add(rows, columns, local);
       reference.add(rows, local_reference);
@@ -91,7 +93,10 @@ namespace Cautery
   template <int dim>
   void ThermalExpansionOperator<dim>::add_force(const Vector &temperature, Vector &force) const
   {
-    matrix.vmult(product, temperature);
+    // differences of temperature first: a body that is not heated must feel exactly nothing
+    excess = temperature;
+    excess.add(-common_reference);
+    matrix.vmult(product, excess);
     force.add(1., product, -1., reference);
   }
 

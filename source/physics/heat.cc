@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <utility>
 
 namespace Cautery
 {
@@ -177,20 +178,10 @@ namespace Cautery
             for (const unsigned int i : values.dof_indices())
               alive += terms.ln_damage[i] < 0. ? values.shape_value(i, q) : 0.;
           }
-        double heat = 0., heat_before = 0.;
-        if (scene.effects.metabolism == Effects::Metabolism::constant)
-          heat = heat_before = tissue.metabolism.heat;
-        else if (scene.effects.metabolism == Effects::Metabolism::q10)
-          {
-            heat        = tissue.metabolism.q10_heat(now);
-            heat_before = tissue.metabolism.q10_heat(before);
-          }
         for (const unsigned int i : values.dof_indices())
           {
             const double weight = values.shape_value(i, q) * values.JxW(q);
             terms.blood_weights(i) += w * alive * weight;
-            terms.metabolism(i) += heat * weight;
-            terms.metabolism_rate(i) += (heat - heat_before) * weight;
             for (const unsigned int j : values.dof_indices())
               {
                 const double product = weight * values.shape_value(j, q);
@@ -202,6 +193,26 @@ namespace Cautery
           }
       }
     terms.blood_source.add(tissue.perfusion.temperature, terms.blood_weights);
+  }
+
+  template <int dim>
+  void Heat<dim>::add_metabolism(const Tissue &tissue, CellTerms &terms) const
+  {
+    if (scene.effects.metabolism == Effects::Metabolism::off)
+      return;
+    const bool  grows  = scene.effects.metabolism == Effects::Metabolism::q10;
+    const auto &values = terms.values;
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        const double heat   = grows ? tissue.metabolism.q10_heat(terms.now[q]) : tissue.metabolism.heat;
+        const double growth = grows ? heat - tissue.metabolism.q10_heat(terms.before[q]) : 0.;
+        for (const unsigned int i : values.dof_indices())
+          {
+            const double weight = values.shape_value(i, q) * values.JxW(q);
+            terms.metabolism(i) += heat * weight;
+            terms.metabolism_rate(i) += growth * weight;
+          }
+      }
   }
 
   template <int dim>
@@ -257,6 +268,12 @@ namespace Cautery
     bookkeeping.blood_weights.add(terms.dofs, terms.blood_weights);
     bookkeeping.surface_weights.add(terms.dofs, terms.surface_weights);
     bookkeeping.blood_source.add(terms.dofs, terms.blood_source);
+    distribute_metabolism(tau, terms);
+  }
+
+  template <int dim>
+  void Heat<dim>::distribute_metabolism(const double tau, CellTerms &terms)
+  {
     bookkeeping.metabolism.add(terms.dofs, terms.metabolism);
     if (non_fourier)
       {
@@ -299,6 +316,7 @@ namespace Cautery
         if (ln_damage != nullptr)
           cell->get_dof_values(*ln_damage, terms.ln_damage.begin(), terms.ln_damage.end());
         add_cell(tissue, terms);
+        add_metabolism(tissue, terms);
         if (cell->at_boundary())
           add_surfaces(cell, terms);
         distribute(tissue.thermal.relaxation_time, terms);
@@ -309,6 +327,7 @@ namespace Cautery
   template <int dim>
   void Heat<dim>::finish()
   {
+    assembled = true;
     for (auto *matrix : {&relaxation, &storage, &conduction})
       {
         matrix->full.compress(VectorOperation::add);
@@ -327,21 +346,58 @@ namespace Cautery
   template <int dim>
   bool Heat<dim>::refresh(const State &state, const Vector &x)
   {
-    const Vector ln_damage = perfusion_stops ? field.ghosted(state.ln_damage) : Vector();
-    if (!properties_change)
+    const bool new_dead = perfusion_stops && dead_changed(state);
+    if (!properties_change && !new_dead && assembled)
       {
-        types::global_dof_index dead = 0;
-        for (const double value : state.ln_damage)
-          dead += value >= 0. ? 1 : 0;
-        dead = Utilities::MPI::sum(dead, field.communicator());
-        if (dead == n_dead && conduction.full.frobenius_norm() > 0.)
-          return false;
-        n_dead = dead;
+        if (scene.effects.metabolism == Effects::Metabolism::q10)
+          assemble_metabolism(state.temperature, x);
+        return false;
       }
     const Vector before = field.ghosted(state.temperature);
     const Vector now    = field.ghosted(x);
-    assemble(&before, &now, perfusion_stops ? &ln_damage : nullptr);
+    if (perfusion_stops)
+      {
+        const Vector ln_damage = field.ghosted(state.ln_damage);
+        assemble(&before, &now, &ln_damage);
+      }
+    else
+      assemble(&before, &now, nullptr);
     return true;
+  }
+
+  template <int dim>
+  bool Heat<dim>::dead_changed(const State &state)
+  {
+    unsigned int dead = 0;
+    for (const double value : state.ln_damage)
+      dead += value >= 0. ? 1 : 0;
+    dead = Utilities::MPI::sum(dead, field.communicator());
+    return std::exchange(n_dead, dead) != dead;
+  }
+
+  template <int dim>
+  void Heat<dim>::assemble_metabolism(const Vector &temperature_before, const Vector &temperature_now)
+  {
+    const Vector before = field.ghosted(temperature_before);
+    const Vector now    = field.ghosted(temperature_now);
+    CellTerms    terms(field);
+    inside                 = 0.;
+    bookkeeping.metabolism = 0.;
+    for (const auto &cell : field.dof_handler().active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const Tissue &tissue = tissues[cell->material_id()];
+        terms.values.reinit(cell);
+        terms.clear();
+        cell->get_dof_indices(terms.dofs);
+        terms.values.get_function_values(before, terms.before);
+        terms.values.get_function_values(now, terms.now);
+        add_metabolism(tissue, terms);
+        distribute_metabolism(tissue.thermal.relaxation_time, terms);
+      }
+    inside.compress(VectorOperation::add);
+    bookkeeping.metabolism.compress(VectorOperation::add);
   }
 
   template <int dim>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/heat_balance.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
 
 namespace Cautery
@@ -39,6 +41,13 @@ namespace Cautery
       {
         delayed          = start.temperature;
         delayed_integral = heat.nodes().vector();
+        first_flux       = heat.nodes().vector();
+        if (heat.changes())
+          heat.refresh(start, start.temperature);
+        heat.load_at(start.time, -1., first_flux); // before any source is on
+        Vector product = heat.nodes().vector();
+        heat.stiffness().full.vmult(product, start.temperature);
+        first_flux -= product;
       }
   }
 
@@ -51,26 +60,40 @@ namespace Cautery
     heat.loads().record(step, delivered, received);
     temperature_integral.add(0.5 * dt, before, 0.5 * dt, now.temperature);
     if (heat.relaxes())
-      {
-        // Y by the same rule: tau (Y - Y_before) / dt + Y = T, or with the means of both ends
-        const double *const tau      = heat.books().delay.begin();
-        const double *const T        = now.temperature.begin();
-        const double *const T_before = before.begin();
-        double *const       Y        = delayed.begin();
-        double *const       integral = delayed_integral.begin();
-        for (unsigned int i = 0; i < delayed.locally_owned_size(); ++i)
-          {
-            const double r     = tau[i] / dt;
-            const double Y_old = Y[i];
-            Y[i]               = implicit ? (r * Y_old + T[i]) / (r + 1.) :
-                                            ((r - 0.5) * Y_old + 0.5 * (T[i] + T_before[i])) / (r + 0.5);
-            integral[i] += dt * (implicit ? Y[i] : 0.5 * (Y[i] + Y_old));
-          }
-      }
+      relax(dt, before, now.temperature);
     if (!implicit)
       last_temperature = now.temperature;
     if (heat.changes())
       flush(now);
+  }
+
+  template <int dim>
+  void HeatBalance<dim>::relax(const double dt, const Vector &before, const Vector &now)
+  {
+    const bool    implicit = rule == Rule::end_of_step;
+    const double *tau      = heat.books().delay.begin();
+    double *const Y        = delayed.begin();
+    double *const integral = delayed_integral.begin();
+    double *const flux     = first_flux.begin();
+    double       *rest     = left.begin();
+    double        sum_flux = 0.;
+    for (unsigned int i = 0; i < delayed.locally_owned_size(); ++i)
+      {
+        // tau (Y - Y_before) / dt + Y = T, at the end of the step or with the means of both ends
+        const double r     = tau[i] / dt;
+        const double Y_old = Y[i];
+        const double T     = now.begin()[i];
+        Y[i] = implicit ? (r * Y_old + T) / (r + 1.) :
+                          ((r - 0.5) * Y_old + 0.5 * (T + before.begin()[i])) / (r + 0.5);
+        integral[i] += dt * (implicit ? Y[i] : 0.5 * (Y[i] + Y_old));
+
+        const double flux_old = flux[i];
+        flux[i] *= implicit ? r / (r + 1.) : std::exp(-1. / r);
+        const double carried = implicit ? dt * flux[i] : tau[i] * (flux_old - flux[i]);
+        rest[i] -= carried;
+        sum_flux += carried;
+      }
+    first += Utilities::MPI::sum(sum_flux, heat.nodes().communicator());
   }
 
   template <int dim>
@@ -131,7 +154,7 @@ namespace Cautery
     result.blood      = blood;
     result.expansion  = expansion;
     // convection and given fluxes are known; what is left over at nodes of prescribed temperature went through them
-    result.boundary = surfaces - received.surfaces + heat.prescribed_temperatures().sum(taken);
+    result.boundary = surfaces - received.surfaces + first + heat.prescribed_temperatures().sum(taken);
     return result;
   }
 

@@ -22,8 +22,7 @@ namespace Cautery
 
   bool Scene::thermal_properties_change() const
   {
-    return effects.metabolism == Effects::Metabolism::q10 ||
-           std::any_of(tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.thermally_constant(); });
+    return std::any_of(tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.thermally_constant(); });
   }
 
   bool Scene::elastic_properties_change() const

@@ -102,8 +102,11 @@ namespace Cautery
         solve();
         return;
       }
+    // the last step's rate, where there is one, brings the first iterate close
     Vector iterate = state.*equation.unknown();
-    double change  = std::numeric_limits<double>::max();
+    if (rate.size() > 0)
+      iterate.add(step.length(), rate);
+    double change = std::numeric_limits<double>::max();
     for (unsigned int i = 0; change > numerics.iteration_tolerance; ++i)
       {
         AssertThrow(i < numerics.max_iterations,
@@ -114,8 +117,6 @@ namespace Cautery
           const auto scope = cost.measure(name() + ": assembly");
           if (equation.refresh(state, iterate))
             system_length = 0.;
-          else if (i > 0)
-            return; // the matrices are still those that the iterate was solved with
         }
         Vector next = state.*equation.unknown();
         next.add(step.length(), complete(solve()));

@@ -26,8 +26,9 @@ namespace Cautery
 
   private:
     SparseMatrix   matrix;
-    Vector         reference; ///< int beta T_0 div v
-    mutable Vector product;
+    const double   common_reference; ///< the first tissue's T_0, K
+    Vector         reference;        ///< int beta (T_0 - common reference) div v
+    mutable Vector excess, product;
   };
 
   /**

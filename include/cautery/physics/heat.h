@@ -37,7 +37,10 @@ namespace Cautery
     bool               prescription_changes() const override { return prescribed.depends_on_time(); }
     void prescribe(const double time, Vector &x) const override { prescribed.set(time, x); }
     void load(const Step &step, const State &state, Vector &force) const override;
-    bool changes() const override { return properties_change || perfusion_stops; }
+    bool changes() const override
+    {
+      return properties_change || perfusion_stops || scene.effects.metabolism == Effects::Metabolism::q10;
+    }
     bool refresh(const State &state, const Vector &x) override;
     const LinearSolverSettings &solver_settings() const override { return scene.numerics.heat_solver; }
     unsigned int                n_components() const override { return 1; }
@@ -75,9 +78,13 @@ namespace Cautery
     void initialize_books();
     void assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
     void add_cell(const Tissue &tissue, CellTerms &terms) const;
+    void add_metabolism(const Tissue &tissue, CellTerms &terms) const;
     void add_surfaces(const typename DoFHandler<dim>::active_cell_iterator &cell, CellTerms &terms) const;
     void distribute(const double tau, CellTerms &terms);
+    void distribute_metabolism(const double tau, CellTerms &terms);
+    void assemble_metabolism(const Vector &temperature_before, const Vector &temperature_now);
     void finish();
+    bool dead_changed(const State &state);
 
     const Scene             &scene;
     const Field<dim>        &field;
@@ -96,6 +103,7 @@ namespace Cautery
     ConstrainedMatrix        conduction; ///< K
     Vector                   inside;     ///< int (w T_b + Q_met) N and, where Q_met changes, tau dQ_met/dt; W
     Bookkeeping              bookkeeping;
-    types::global_dof_index  n_dead = 0;
+    bool                     assembled = false;
+    unsigned int             n_dead    = 0; ///< nodes
   };
 } // namespace Cautery

@@ -28,8 +28,9 @@ namespace Cautery
    * temperature from the balance of their own nodes. With backward Euler they close to the tolerance of the linear solver; with
    * IDA to the accuracy of its steps.
    *
-   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T; where tau differs between tissues this
-   * holds away from their interfaces only.
+   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T, besides the flux that was there at the start: a body
+   * at rest (dT/dt = 0) that makes heat must carry it away, and that flux dies out with tau. Where tau differs between tissues
+   * this holds away from their interfaces only.
    */
   template <int dim>
   class HeatBalance
@@ -52,6 +53,7 @@ namespace Cautery
     HeatTotals totals(const State &now);
 
   private:
+    void relax(const double dt, const Vector &before, const Vector &now);
     void flush(const State &now);
 
     Heat<dim>                        &heat;
@@ -66,6 +68,7 @@ namespace Cautery
     double                            surfaces   = 0.; ///< by convection
     double                            metabolism = 0.;
     double                            expansion  = 0.;
+    double                            first      = 0.; ///< by the first flux
 
     // since the last flush
     double since = 0.;                       ///< time of the last flush, s
@@ -73,6 +76,7 @@ namespace Cautery
     Vector temperature_then;                 ///< K
     Vector displacement_then;                ///< m
     Vector temperature_integral;             ///< int T dt, K s
+    Vector first_flux;                       ///< what is left of the first flux, W per node; non-Fourier only
     Vector delayed;                          ///< Y, K; non-Fourier only
     Vector delayed_integral;                 ///< int Y dt
   };
