@@ -58,6 +58,9 @@ namespace Cautery
     data.attach_triangulation(nodes.mesh().triangulation());
     data.add_data_vector(region, "region", DataOut<dim>::type_cell_data);
 
+    DataOutBase::VtkFlags flags;
+    flags.compression_level = DataOutBase::VtkFlags::best_speed; // ten times faster than the default, a third larger
+    data.set_flags(flags);
     // a nonlinear cell cannot be written for simplices: two patches an edge show degree 2 as well
     data.build_patches(nodes.mapping(), nodes.element().degree);
     const std::string file = "solution_" + Utilities::int_to_string(written.size(), 4) + ".vtu";
