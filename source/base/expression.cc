@@ -151,12 +151,12 @@ namespace Cautery
       return below.second + share * (above->second - below.second);
     }
 
-    /// @p f must be smooth in between; two points are exact for a straight line.
+    /// @p f must be smooth in between.
     template <typename Function>
-    double gauss(const Function &f, const double from, const double to, const unsigned int n_points)
+    double gauss(const Function &f, const double from, const double to)
     {
-      const QGauss<1> rule(n_points);
-      double          sum = 0.;
+      static const QGauss<1> rule(8);
+      double                 sum = 0.;
       for (unsigned int q = 0; q < rule.size(); ++q)
         sum += rule.weight(q) * f(from + rule.point(q)[0] * (to - from));
       return sum * (to - from);
@@ -178,19 +178,22 @@ namespace Cautery
       return *constant * (to - from);
     if (to < from)
       return -integral(to, from);
-    const auto f = [this](const double temperature) { return value(temperature); };
     if (parser)
-      return gauss(f, from, to, 8);
+      return gauss([this](const double temperature) { return value(temperature); }, from, to);
 
+    // straight pieces: the trapezoid is exact on each
     double sum   = 0.;
-    double start = from;
-    for (const auto &row : table)
-      if (row.first > start && row.first < to)
-        {
-          sum += gauss(f, start, row.first, 2);
-          start = row.first;
-        }
-    return sum + gauss(f, start, to, 2);
+    double start = from, start_value = value(from);
+    const auto add = [&](const double end, const double end_value) {
+      sum += 0.5 * (start_value + end_value) * (end - start);
+      start       = end;
+      start_value = end_value;
+    };
+    for (const auto &[temperature, entry] : table)
+      if (temperature > from && temperature < to)
+        add(temperature, entry);
+    add(to, value(to));
+    return sum;
   }
 
   std::vector<double> TemperatureFunction::known_values() const
