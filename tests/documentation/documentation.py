@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Usage: documentation.py STATEMENT CAUTERY PROJECT; STATEMENT `write_parameter_reference` renews doc/parameters.md."""
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+HEAD = ("# Parameters\n\nWhat `./cautery parameters` prints: every section and entry of a scene, with defaults, units and "
+        "bounds.\n\n```prm\n")
+
+
+def reference(cautery):
+    run = subprocess.run([cautery, "parameters"], stdout=subprocess.PIPE, text=True, check=True)
+    return HEAD + run.stdout + "```\n"
+
+
+def parameter_reference_is_current(cautery, project):
+    assert (project / "doc" / "parameters.md").read_text() == reference(cautery), \
+        "renew doc/parameters.md: documentation.py write_parameter_reference build/cautery ."
+
+
+def write_parameter_reference(cautery, project):
+    (project / "doc" / "parameters.md").write_text(reference(cautery))
+
+
+def scene_of_the_readme_runs(cautery, project):
+    scene = re.search(r"```prm\n(.*?)```", (project / "README.md").read_text(), re.DOTALL).group(1)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "readme.prm").write_text(scene)
+        subprocess.run([cautery, folder / "readme.prm", "--output", folder / "out", "--set",
+                        "Output/Probe names=tip", "--set", "Output/Probe places=0.005, 0.005, 0.005"], check=True)
+        with open(folder / "out" / "probes.csv", newline="") as file:
+            last = list(csv.DictReader(file))[-1]
+        assert float(last["time_s"]) == 120 and 380 < float(last["temperature_K"]) < 500
+
+
+if __name__ == "__main__":
+    globals()[sys.argv[1]](sys.argv[2], pathlib.Path(sys.argv[3]))
