@@ -94,6 +94,7 @@ namespace Cautery
 
   std::string RunRecord::text() const
   {
+    const std::string  depth = dimension == 2 ? " per metre of depth" : "";
     std::ostringstream out;
     out << std::setprecision(6);
     if (effects.has_heat())
@@ -102,7 +103,7 @@ namespace Cautery
       out << "Displacement   up to " << 1e3 * extremes.displacement_max << " mm\n";
     if (ablation)
       {
-        out << "Dead tissue    " << 1e6 * ablation->volume << " cm3, up to " << 1e3 * ablation->radius
+        out << "Dead tissue    " << 1e6 * ablation->volume << " cm3" << depth << ", up to " << 1e3 * ablation->radius
             << " mm from the centre\n";
         for (const auto &[id, region] : ablation->regions)
           out << "               " << (region.name.empty() ? "region " + id : region.name) << ": "
@@ -110,7 +111,7 @@ namespace Cautery
               << std::setprecision(6);
       }
     if (balance)
-      out << "Heat           " << balance->sources << " J put in, balance closed to " << std::setprecision(2)
+      out << "Heat           " << balance->sources << " J put in" << depth << ", balance closed to " << std::setprecision(2)
           << balance->relative_error() << " of what moved\n";
     out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps << " steps on "
         << processes << (processes == 1 ? " process" : " processes") << ", " << std::setprecision(0) << std::fixed

@@ -35,9 +35,11 @@ namespace Cautery
     const auto        &mesh = body->mesh;
     if (!scene.title.empty())
       out << scene.title << "\n\n";
+    const bool from_file = scene.mesh.shape == MeshSettings::Shape::file;
     out << "Effects on     " << join(scene.effects.on(), ", ") << '\n'
         << "Effects off    " << join(scene.effects.off(), ", ") << '\n'
-        << "Mesh           " << mesh.name() << ": " << mesh.n_cells() << ' '
+        << "Mesh           "
+        << (from_file ? std::filesystem::path(scene.mesh.file_name).filename().string() : "box") << ": " << mesh.n_cells() << ' '
         << (mesh.simplices() ? (dim == 3 ? "tetrahedra" : "triangles") : (dim == 3 ? "hexahedra" : "quadrilaterals"))
         << ", " << mesh.n_vertices() << " nodes, " << mesh.volume() << (dim == 3 ? " m3" : " m2") << '\n';
     for (const auto &note : mesh.notes())
@@ -154,6 +156,7 @@ namespace Cautery
     RunRecord result;
     result.title      = scene.title;
     result.effects    = scene.effects;
+    result.dimension  = dim;
     result.end_time   = state.time;
     result.unknowns   = problem->unknowns();
     result.time_steps = state.step;

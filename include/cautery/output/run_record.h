@@ -21,6 +21,7 @@ namespace Cautery
     std::string status = "running"; ///< "done", "failed"
     std::string message;
     Effects     effects;
+    unsigned int dimension = 3; ///< in two dimensions volumes and heat are those of one metre of depth
     double      end_time = 0.; ///< reached, s
 
     std::map<std::string, types::global_dof_index> unknowns;
