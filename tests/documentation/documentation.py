@@ -37,5 +37,16 @@ def scene_of_the_readme_runs(cautery, project):
         assert float(last["time_s"]) == 120 and 380 < float(last["temperature_K"]) < 500
 
 
+def complete_scene_gives_the_same_answer(cautery, project):
+    """scene.prm, which a run leaves behind, holds everything: also what came from the command line."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        settings = ("--set", "Time/End=20", "--set", "Effects/Heat=non-Fourier", "--set", "Output/Interval=5")
+        subprocess.run([cautery, project / "prm" / "liver_ablation.prm", "--output", folder / "first", *settings], check=True)
+        subprocess.run([cautery, folder / "first" / "scene.prm", "--output", folder / "second"], check=True)
+        for file in ("scene.prm", "probes.csv", "solution.pvd"):
+            assert (folder / "first" / file).read_bytes() == (folder / "second" / file).read_bytes(), file
+
+
 if __name__ == "__main__":
     globals()[sys.argv[1]](sys.argv[2], pathlib.Path(sys.argv[3]))
