@@ -8,8 +8,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <regex>
+#include <sstream>
 
 namespace Cautery
 {
@@ -26,23 +28,63 @@ namespace Cautery
       return {};
     }
 
-    /// muParser compiles at the first evaluation only: evaluate once, so that a bad text is told at the start.
+    /// deal.II prints what muParser says besides throwing it: keeps that off the screen.
+    class QuietErrors
+    {
+    public:
+      ~QuietErrors() { std::cerr.rdbuf(screen); }
+
+    private:
+      std::streambuf *const screen = std::cerr.rdbuf(nullptr);
+    };
+
+    /// muParser takes "1,5" for two values, of which the last counts: only functions may have commas.
+    bool comma_outside_functions(const std::string &text)
+    {
+      int depth = 0;
+      for (const char letter : text)
+        {
+          depth += (letter == '(') - (letter == ')');
+          if (letter == ',' && depth == 0)
+            return true;
+        }
+      return false;
+    }
+
+    std::string reason_of(const std::exception &exception)
+    {
+      const auto *said = dynamic_cast<const ExceptionBase *>(&exception);
+      if (said == nullptr)
+        return exception.what();
+      std::ostringstream text;
+      said->print_info(text);
+      const std::string reason = Utilities::trim(text.str()), start = "The parser said: ";
+      const auto        found = reason.find(start);
+      return found == std::string::npos ? reason : reason.substr(found + start.size());
+    }
+
+    /// muParser compiles at the first evaluation only: evaluate once, so that a bad text is told at the
+    /// start.
     template <int n_variables>
     std::shared_ptr<FunctionParser<n_variables>>
     compile(const std::string &text, const std::string &variables, const bool with_time)
     {
       const std::map<std::string, double> constants = {{"pi", numbers::PI}};
-      auto                                parser    = std::make_shared<FunctionParser<n_variables>>(1);
+      const std::string expected = "this is neither a number nor an expression in " + variables +
+                                   " with muParser's functions (sin, exp, if, ...)";
+      AssertThrow(!text.empty(), ExcInput(expected + ": nothing is written"));
+      AssertThrow(!comma_outside_functions(text),
+                  ExcInput(expected + ": a comma only separates arguments; decimals have a point"));
+      auto parser = std::make_shared<FunctionParser<n_variables>>(1);
       try
         {
+          const QuietErrors quiet;
           parser->initialize(variables, text, constants, with_time);
           parser->value(Point<n_variables>());
         }
-      catch (const std::exception &)
+      catch (const std::exception &exception)
         {
-          AssertThrow(false,
-                      ExcInput("this is neither a number nor an expression in " + variables +
-                               "; functions are those of muParser (sin, exp, sqrt, if, ...)"));
+          AssertThrow(false, ExcInput(expected + ": " + reason_of(exception)));
         }
       return parser;
     }
@@ -56,10 +98,7 @@ namespace Cautery
     }
   } // namespace
 
-  Expression::Expression(const double constant)
-    : source(to_text(constant))
-    , constant(constant)
-  {}
+  Expression::Expression(const double constant) : source(to_text(constant)), constant(constant) {}
 
   Expression::Expression(const std::string &text)
     : source(Utilities::trim(text))
@@ -94,7 +133,8 @@ namespace Cautery
 
   bool VectorExpression::depends_on_time() const
   {
-    return components[0].depends_on_time() || components[1].depends_on_time() || components[2].depends_on_time();
+    return components[0].depends_on_time() || components[1].depends_on_time() ||
+           components[2].depends_on_time();
   }
 
   std::string VectorExpression::text() const
@@ -103,13 +143,12 @@ namespace Cautery
   }
 
   TemperatureFunction::TemperatureFunction(const double constant)
-    : source(to_text(constant))
-    , constant(constant)
-  {}
+    : source(to_text(constant)), constant(constant)
+  {
+  }
 
   TemperatureFunction::TemperatureFunction(const std::string &text)
-    : source(Utilities::trim(text))
-    , constant(plain_number(text))
+    : source(Utilities::trim(text)), constant(plain_number(text))
   {
     if (constant)
       return;
@@ -138,10 +177,10 @@ namespace Cautery
 
     double interpolate(const Table &table, const double temperature)
     {
-      const auto above = std::upper_bound(table.begin(),
-                                          table.end(),
-                                          temperature,
-                                          [](const double t, const auto &row) { return t < row.first; });
+      const auto above =
+        std::upper_bound(table.begin(), table.end(), temperature, [](const double t, const auto &row) {
+          return t < row.first;
+        });
       if (above == table.begin())
         return table.front().second;
       if (above == table.end())
@@ -182,8 +221,8 @@ namespace Cautery
       return gauss([this](const double temperature) { return value(temperature); }, from, to);
 
     // straight pieces: the trapezoid is exact on each
-    double sum   = 0.;
-    double start = from, start_value = value(from);
+    double     sum   = 0.;
+    double     start = from, start_value = value(from);
     const auto add = [&](const double end, const double end_value) {
       sum += 0.5 * (start_value + end_value) * (end - start);
       start       = end;
