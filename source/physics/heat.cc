@@ -15,68 +15,7 @@ namespace Cautery
       return boundary.thermal == Boundary::Thermal::temperature ? &boundary.temperature : nullptr;
     }
 
-    /// Row sums on the diagonal.
-    void lump(FullMatrix<double> &matrix)
-    {
-      for (unsigned int i = 0; i < matrix.m(); ++i)
-        {
-          double sum = 0.;
-          for (unsigned int j = 0; j < matrix.n(); ++j)
-            {
-              sum += matrix(i, j);
-              matrix(i, j) = 0.;
-            }
-          matrix(i, i) = sum;
-        }
-    }
   } // namespace
-
-  /// The terms of one cell: matrices and vectors by shape function, and the state at the quadrature points.
-  template <int dim>
-  struct Heat<dim>::CellTerms
-  {
-    CellTerms(const Field<dim> &field)
-      : values(field.mapping(),
-               field.element(),
-               field.cell_quadrature(),
-               update_values | update_gradients | update_JxW_values)
-      , face_values(field.mapping(), field.element(), field.face_quadrature(), update_values | update_JxW_values)
-      , dofs(field.element().n_dofs_per_cell())
-      , before(values.n_quadrature_points)
-      , now(values.n_quadrature_points)
-      , ln_damage(dofs.size())
-      , capacity(dofs.size(), dofs.size())
-      , exchange(dofs.size(), dofs.size())
-      , conduction(dofs.size(), dofs.size())
-      , sum(dofs.size(), dofs.size())
-      , blood_weights(dofs.size())
-      , surface_weights(dofs.size())
-      , blood_source(dofs.size())
-      , metabolism(dofs.size())
-      , metabolism_rate(dofs.size())
-    {}
-
-    void clear()
-    {
-      capacity        = 0.;
-      exchange        = 0.;
-      conduction      = 0.;
-      blood_weights   = 0.;
-      surface_weights = 0.;
-      blood_source    = 0.;
-      metabolism      = 0.;
-      metabolism_rate = 0.;
-    }
-
-    FEValues<dim>                        values;
-    FEFaceValues<dim>                    face_values;
-    std::vector<types::global_dof_index> dofs;
-    std::vector<double>                  before; ///< temperature at the step's start, K
-    std::vector<double>                  now;    ///< at the iterate, K
-    std::vector<double>                  ln_damage; ///< at the nodes
-    FullMatrix<double>                   capacity, exchange, conduction, sum;
-    dealii::Vector<double> blood_weights, surface_weights, blood_source, metabolism, metabolism_rate;
-  };
 
   template <int dim>
   Heat<dim>::Heat(const Scene             &scene,
@@ -155,113 +94,25 @@ namespace Cautery
   }
 
   template <int dim>
-  void Heat<dim>::add_cell(const Tissue &tissue, CellTerms &terms) const
-  {
-    const bool   perfused = scene.effects.perfusion;
-    const double w        = perfused ? tissue.perfusion.coefficient() : 0.;
-    const auto  &values   = terms.values;
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const double before = terms.before[q];
-        const double now    = terms.now[q];
-        // the mean heat capacity between both temperatures stores exactly the difference of enthalpy
-        const double heat_capacity =
-          std::abs(now - before) < 1e-6 ?
-            tissue.thermal.heat_capacity(now) :
-            tissue.thermal.density * tissue.thermal.specific_heat.integral(before, now) / (now - before);
-        const double k = tissue.thermal.conductivity.value(now);
-
-        double alive = 1.;
-        if (perfusion_stops)
-          {
-            alive = 0.;
-            for (const unsigned int i : values.dof_indices())
-              alive += terms.ln_damage[i] < 0. ? values.shape_value(i, q) : 0.;
-          }
-        for (const unsigned int i : values.dof_indices())
-          {
-            const double weight = values.shape_value(i, q) * values.JxW(q);
-            terms.blood_weights(i) += w * alive * weight;
-            for (const unsigned int j : values.dof_indices())
-              {
-                const double product = weight * values.shape_value(j, q);
-                terms.capacity(i, j) += heat_capacity * product;
-                terms.exchange(i, j) += w * alive * product;
-                terms.conduction(i, j) +=
-                  k * (values.shape_grad(i, q) * values.shape_grad(j, q)) * values.JxW(q);
-              }
-          }
-      }
-    terms.blood_source.add(tissue.perfusion.temperature, terms.blood_weights);
-  }
-
-  template <int dim>
-  void Heat<dim>::add_metabolism(const Tissue &tissue, CellTerms &terms) const
-  {
-    if (scene.effects.metabolism == Effects::Metabolism::off)
-      return;
-    const bool  grows  = scene.effects.metabolism == Effects::Metabolism::q10;
-    const auto &values = terms.values;
-    for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const double heat   = grows ? tissue.metabolism.q10_heat(terms.now[q]) : tissue.metabolism.heat;
-        const double growth = grows ? heat - tissue.metabolism.q10_heat(terms.before[q]) : 0.;
-        for (const unsigned int i : values.dof_indices())
-          {
-            const double weight = values.shape_value(i, q) * values.JxW(q);
-            terms.metabolism(i) += heat * weight;
-            terms.metabolism_rate(i) += growth * weight;
-          }
-      }
-  }
-
-  template <int dim>
-  void
-  Heat<dim>::add_surfaces(const typename DoFHandler<dim>::active_cell_iterator &cell, CellTerms &terms) const
-  {
-    for (const unsigned int face : cell->face_indices())
-      {
-        if (!cell->face(face)->at_boundary())
-          continue;
-        const Boundary &boundary = boundaries[cell->face(face)->boundary_id()];
-        if (boundary.thermal != Boundary::Thermal::convection)
-          continue;
-        const auto &values = terms.face_values;
-        terms.face_values.reinit(cell, face);
-        for (const unsigned int q : values.quadrature_point_indices())
-          for (const unsigned int i : values.dof_indices())
-            {
-              const double weight = boundary.transfer_coefficient * values.shape_value(i, q) * values.JxW(q);
-              terms.surface_weights(i) += weight;
-              for (const unsigned int j : values.dof_indices())
-                terms.exchange(i, j) += weight * values.shape_value(j, q);
-            }
-      }
-  }
-
-  template <int dim>
-  void Heat<dim>::distribute(const double tau, CellTerms &terms)
+  void Heat<dim>::distribute(const double tau, HeatCellTerms<dim> &terms)
   {
     if (scene.numerics.capacity_matrix == Numerics::CapacityMatrix::lumped)
-      {
-        lump(terms.capacity);
-        lump(terms.exchange);
-      }
-    const auto add = [&](ConstrainedMatrix &matrix) {
-      nothing_fixed.distribute_local_to_global(terms.sum, terms.dofs, matrix.full);
-      fixed.distribute_local_to_global(terms.sum, terms.dofs, matrix.reduced);
+      terms.lump();
+    const auto add = [&](ConstrainedMatrix &matrix, const FullMatrix<double> &local) {
+      nothing_fixed.distribute_local_to_global(local, terms.dofs, matrix.full);
+      fixed.distribute_local_to_global(local, terms.dofs, matrix.reduced);
     };
-    terms.sum = terms.conduction;
-    terms.sum.add(1., terms.exchange);
-    add(conduction);
-    terms.sum = terms.capacity;
+    FullMatrix<double> sum = terms.conduction;
+    sum.add(1., terms.exchange);
+    add(conduction, sum);
+    sum = terms.capacity;
     if (non_fourier)
-      terms.sum.add(tau, terms.exchange);
-    add(storage);
+      sum.add(tau, terms.exchange);
+    add(storage, sum);
     if (non_fourier)
       {
-        terms.sum.equ(tau, terms.capacity);
-        add(relaxation);
+        sum.equ(tau, terms.capacity);
+        add(relaxation, sum);
         nothing_fixed.distribute_local_to_global(terms.capacity, terms.dofs, bookkeeping.capacity);
         nothing_fixed.distribute_local_to_global(terms.exchange, terms.dofs, bookkeeping.exchange);
       }
@@ -272,13 +123,13 @@ namespace Cautery
   }
 
   template <int dim>
-  void Heat<dim>::distribute_metabolism(const double tau, CellTerms &terms)
+  void Heat<dim>::distribute_metabolism(const double tau, HeatCellTerms<dim> &terms)
   {
     bookkeeping.metabolism.add(terms.dofs, terms.metabolism);
     if (non_fourier)
       {
-        terms.metabolism_rate *= tau;
-        inside.add(terms.dofs, terms.metabolism_rate);
+        terms.metabolism_growth *= tau;
+        inside.add(terms.dofs, terms.metabolism_growth);
       }
   }
 
@@ -299,26 +150,17 @@ namespace Cautery
                          &bookkeeping.metabolism})
       *vector = 0.;
 
-    CellTerms terms(field);
+    HeatCellTerms<dim> terms(scene, field);
     for (const auto &cell : field.dof_handler().active_cell_iterators())
       {
         if (!cell->is_locally_owned())
           continue;
         const Tissue &tissue = tissues[cell->material_id()];
-        terms.values.reinit(cell);
-        terms.clear();
-        cell->get_dof_indices(terms.dofs);
-        if (before != nullptr)
-          {
-            terms.values.get_function_values(*before, terms.before);
-            terms.values.get_function_values(*now, terms.now);
-          }
-        if (ln_damage != nullptr)
-          cell->get_dof_values(*ln_damage, terms.ln_damage.begin(), terms.ln_damage.end());
-        add_cell(tissue, terms);
-        add_metabolism(tissue, terms);
+        terms.reinit(cell, before, now, ln_damage);
+        terms.add_volume(tissue);
+        terms.add_metabolism(tissue);
         if (cell->at_boundary())
-          add_surfaces(cell, terms);
+          terms.add_surfaces(cell, boundaries);
         distribute(tissue.thermal.relaxation_time, terms);
       }
     finish();
@@ -380,7 +222,7 @@ namespace Cautery
   {
     const Vector before = field.ghosted(temperature_before);
     const Vector now    = field.ghosted(temperature_now);
-    CellTerms    terms(field);
+    HeatCellTerms<dim> terms(scene, field);
     inside                 = 0.;
     bookkeeping.metabolism = 0.;
     for (const auto &cell : field.dof_handler().active_cell_iterators())
@@ -388,12 +230,8 @@ namespace Cautery
         if (!cell->is_locally_owned())
           continue;
         const Tissue &tissue = tissues[cell->material_id()];
-        terms.values.reinit(cell);
-        terms.clear();
-        cell->get_dof_indices(terms.dofs);
-        terms.values.get_function_values(before, terms.before);
-        terms.values.get_function_values(now, terms.now);
-        add_metabolism(tissue, terms);
+        terms.reinit(cell, &before, &now, nullptr);
+        terms.add_metabolism(tissue);
         distribute_metabolism(tissue.thermal.relaxation_time, terms);
       }
     inside.compress(VectorOperation::add);

@@ -2,12 +2,9 @@
 #pragma once
 
 #include <cautery/physics/balance.h>
+#include <cautery/physics/heat_cell.h>
 #include <cautery/physics/heat_loads.h>
 #include <cautery/physics/prescribed.h>
-
-#include <deal.II/fe/fe_values.h>
-
-#include <optional>
 
 namespace Cautery
 {
@@ -72,16 +69,11 @@ namespace Cautery
     const Bookkeeping &books() const { return bookkeeping; }
 
   private:
-    struct CellTerms;
-
     void initialize_matrices();
     void initialize_books();
     void assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
-    void add_cell(const Tissue &tissue, CellTerms &terms) const;
-    void add_metabolism(const Tissue &tissue, CellTerms &terms) const;
-    void add_surfaces(const typename DoFHandler<dim>::active_cell_iterator &cell, CellTerms &terms) const;
-    void distribute(const double tau, CellTerms &terms);
-    void distribute_metabolism(const double tau, CellTerms &terms);
+    void distribute(const double tau, HeatCellTerms<dim> &terms);
+    void distribute_metabolism(const double tau, HeatCellTerms<dim> &terms);
     void assemble_metabolism(const Vector &temperature_before, const Vector &temperature_now);
     void finish();
     bool dead_changed(const State &state);
