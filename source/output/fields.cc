@@ -34,6 +34,7 @@ namespace Cautery
     kept.reserve(columns.size() + 1);
 
     DataOut<dim> data;
+    data.attach_triangulation(nodes.mesh().triangulation()); // before any data: for the regions, which have no DoFs
     if (snapshot.displacement != nullptr)
       {
         kept.push_back(snapshot.displacement->ghosted(snapshot.state.displacement));
@@ -55,7 +56,6 @@ namespace Cautery
         data.add_data_vector(nodes.dof_handler(), kept.back(), column.name);
       }
     const auto region = regions(nodes);
-    data.attach_triangulation(nodes.mesh().triangulation());
     data.add_data_vector(region, "region", DataOut<dim>::type_cell_data);
 
     DataOutBase::VtkFlags flags;
