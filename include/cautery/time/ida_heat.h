@@ -7,6 +7,8 @@
 #include <cautery/time/ida_solver.h>
 #include <cautery/time/integrator.h>
 
+#include <array>
+
 namespace Cautery
 {
   /**
@@ -35,7 +37,13 @@ namespace Cautery
     void   jump(const double time);
     void   make_consistent(const double time);
     void   refresh_properties(const Vector &temperature);
+    /** A derivative of the prescribed temperatures, by finite differences with five weights. */
+    void   differentiate_prescribed(const std::array<double, 5> &weights,
+                                    const unsigned int           order,
+                                    const double                 time,
+                                    Vector                      &derivative) const;
     void   prescribed_rate(const double time, Vector &rate) const;
+    void   prescribed_acceleration(const double time, Vector &acceleration) const;
     double next_switch(const double time) const;
 
     const TimeSettings       &settings;
