@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/elasticity.h>
+#include <cautery/physics/rollers.h>
 
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/numerics/vector_tools_constraints.h>
 
 namespace Cautery
 {
@@ -74,23 +74,7 @@ namespace Cautery
     nothing_fixed.close();
     fixed.reinit(displacement.relevant());
     prescribed.constrain(fixed);
-
-    std::set<types::boundary_id> rollers;
-    for (unsigned int b = 0; b < scene.boundaries.size(); ++b)
-      if (scene.boundaries[b].mechanical == Boundary::Mechanical::roller)
-        for (const auto id : boundaries.surfaces(b))
-          rollers.insert(id);
-    if (!rollers.empty())
-      {
-        AffineConstraints<double> sliding(displacement.relevant());
-        VectorTools::compute_no_normal_flux_constraints(displacement.dof_handler(),
-                                                        0,
-                                                        rollers,
-                                                        sliding,
-                                                        displacement.mapping());
-        sliding.close();
-        fixed.merge(sliding, AffineConstraints<double>::left_object_wins);
-      }
+    constrain_rollers(displacement, boundaries, fixed);
     fixed.close();
     eliminated.reinit(fixed, displacement.owned());
   }
