@@ -41,10 +41,11 @@ namespace Cautery
       {
         delayed          = start.temperature;
         delayed_integral = heat.nodes().vector();
-        first_flux       = heat.nodes().vector();
         if (heat.changes())
           heat.refresh(start, start.temperature);
-        heat.load_at(start.time, -1., first_flux); // before any source is on
+        first_flux = heat.books().blood_source;
+        first_flux += heat.books().metabolism;
+        heat.loads().add_surfaces_at(start.time, first_flux); // no source is on before
         Vector product = heat.nodes().vector();
         heat.stiffness().full.vmult(product, start.temperature);
         first_flux -= product;

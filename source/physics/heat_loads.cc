@@ -245,19 +245,23 @@ namespace Cautery
   } // namespace
 
   template <int dim>
+  std::pair<double, double> HeatLoads<dim>::end_amplitudes(const Item &item, const Step &step) const
+  {
+    if (item.source == nullptr)
+      return {1., 1.};
+    const auto  &schedule = item.source->schedule;
+    const double share    = schedule.share(step.from, step.to);
+    // Taking the state just before each time makes the differences telescope: every jump counts exactly once.
+    return {item.source->amplitude(step.from) * (jumps ? active_before(schedule, step.from) : share),
+            item.source->amplitude(step.to) * (jumps ? active_before(schedule, step.to) : share)};
+  }
+
+  template <int dim>
   void HeatLoads<dim>::add_rate(const Item &item, const Step &step, Vector &force) const
   {
-    const double per_time = 1. / step.length();
-    double       before   = per_time;
-    double       after    = per_time;
-    if (item.source != nullptr)
-      {
-        // Taking the state just before each time makes the differences telescope: every jump counts exactly once.
-        const double share = jumps ? 1. : item.source->schedule.share(step.from, step.to);
-        before *= item.source->amplitude(step.from) *
-                  (jumps ? active_before(item.source->schedule, step.from) : share);
-        after *= item.source->amplitude(step.to) * (jumps ? active_before(item.source->schedule, step.to) : share);
-      }
+    const auto [start, end] = end_amplitudes(item, step);
+    const double before     = start / step.length();
+    const double after      = end / step.length();
     if (!item.changes)
       {
         if (after != before)
@@ -323,6 +327,18 @@ namespace Cautery
   }
 
   template <int dim>
+  void HeatLoads<dim>::add_surfaces_at(const double time, Vector &force) const
+  {
+    Vector load = field.vector();
+    for (const auto &item : items)
+      if (item.source == nullptr)
+        {
+          assemble_now(item, time, load, nullptr);
+          force += load;
+        }
+  }
+
+  template <int dim>
   void HeatLoads<dim>::add_jump(const double time, Vector &force) const
   {
     if (!non_fourier || !jumps)
@@ -366,14 +382,14 @@ namespace Cautery
     for (auto &item : items)
       {
         double amplitude = mean_amplitude(item, step);
-        if (item.source != nullptr && non_fourier && !jumps)
+        if (item.source != nullptr && non_fourier && !(jumps && item.changes))
           {
-            // Without its jumps a source acts as s with tau s' + s = a + tau a' (a' of the smooth part).
-            const double share  = item.source->schedule.share(step.from, step.to);
-            const double smooth = share * (item.source->amplitude(step.to) - item.source->amplitude(step.from));
-            const double decay  = item.delay / step.length();
-            item.effective      = (decay * (item.effective + smooth) + amplitude) / (1. + decay);
-            amplitude           = item.effective;
+            // A source acts as s with tau s' + s = a + tau a': other than a where its jumps are neglected, and after a switch inside
+            // a step, of which a holds the share and a' the whole jump.
+            const auto [before, after] = end_amplitudes(item, step);
+            const double decay         = item.delay / step.length();
+            item.effective             = (decay * (item.effective + after - before) + amplitude) / (1. + decay);
+            amplitude                  = item.effective;
           }
         double heat = amplitude * step.length();
         if (item.changes)

@@ -35,6 +35,9 @@ namespace Cautery
      */
     void add_at(const double time, const double within, Vector &force) const;
 
+    /** Adds the load through surfaces alone, without any rate. */
+    void add_surfaces_at(const double time, Vector &force) const;
+
     /** The tau-weighted load that comes suddenly at @p time; zero where jumps are neglected. */
     void add_jump(const double time, Vector &force) const;
 
@@ -63,7 +66,7 @@ namespace Cautery
       Vector            relaxed;         ///< the same times tau, W s; non-Fourier only
       double            sum         = 0.;
       double            delay       = 0.; ///< tau where it acts, s
-      double            effective   = 0.; ///< amplitude that a source with neglected jumps has really, at the last recorded time
+      double            effective   = 0.; ///< amplitude with which it really acts, at the last recorded time
     };
 
     void   add_sources(const Scene &scene, const TissueMap<dim> &tissues, const PointLocator<dim> &locator);
@@ -74,6 +77,8 @@ namespace Cautery
     Assemble volume(const Density &density, const std::set<types::material_id> &regions, const TissueMap<dim> &) const;
     void   assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const;
     double mean_amplitude(const Item &item, const Step &step) const;
+    /** The amplitudes at both ends of a step, for the rate. */
+    std::pair<double, double> end_amplitudes(const Item &item, const Step &step) const;
     void   add_rate(const Item &item, const Step &step, Vector &force) const;
 
     const Field<dim>    &field;
