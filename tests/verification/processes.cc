@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Run on three processes: each scene on one, two and all of them. The probes must agree to 1e-9 of the
+// largest value of their column.
+#include "chain.h"
+
+namespace
+{
+  using namespace Verification;
+
+  const std::vector<std::pair<std::string, std::vector<Override>>> cases = {
+    {"balance", {}},
+    {"balance", {{"Mesh/Cells", "hexahedra"}, {"Numerics/Element degree", "2"}}},
+    {"balance", {{"Effects/Heat", "non-Fourier"}}},
+    {"balance", {{"Time/Integrator", "IDA"}, {"Effects/Heat", "non-Fourier"}}},
+    {"balance", {{"Time/Integrator", "IDA"}}},
+    {"balance", {{"Effects/Deformation", "equilibrium"}, {"Effects/Coupling", "expansion"}}},
+    {"balance", {{"Effects/Deformation", "equilibrium"}, {"Effects/Coupling", "two-way"}}},
+    {"balance", {{"Effects/Deformation", "inertia"}, {"Effects/Coupling", "expansion"}}},
+    {"balance",
+     {{"Effects/Deformation", "equilibrium"},
+      {"Effects/Coupling", "expansion"},
+      {"Effects/Damage", "thermo-mechanical strain energy"}}},
+    {"balance",
+     {{"Effects/Damage", "Arrhenius"},
+      {"Effects/Perfusion stops in dead tissue", "on"},
+      {"Heat sources/needle/Power", "2"}}},
+    {"balance", {{"Effects/Damage", "critical thermal load"}}},
+    {"patch", {}},
+    {"patch", {{"Numerics/Element degree", "2"}}}};
+
+  std::string label(const std::string &scene, const std::vector<Override> &overrides)
+  {
+    std::string text = scene;
+    for (const auto &given : overrides)
+      text += ", " + given.path + " = " + given.value;
+    return text;
+  }
+
+  Outcome on(const int n_processes, const std::string &scene, const std::vector<Override> &overrides)
+  {
+    const int rank = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    MPI_Comm  part;
+    MPI_Comm_split(MPI_COMM_WORLD, rank < n_processes ? 0 : MPI_UNDEFINED, rank, &part);
+    Outcome outcome;
+    if (part != MPI_COMM_NULL)
+      {
+        outcome = run(scene, overrides, part);
+        MPI_Comm_free(&part);
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
+    return outcome;
+  }
+
+  /// The largest difference of any column, relative to the column's largest value.
+  double difference(const Outcome &one, const Outcome &other)
+  {
+    std::map<std::string, double> largest, apart;
+    for (const auto &[place, row] : one.probes)
+      for (const auto &[column, value] : row)
+        {
+          const double second = other.probes.at(place).at(column);
+          largest[column]     = std::max(largest[column], std::isfinite(value) ? std::abs(value) : 0.);
+          apart[column] =
+            std::max(apart[column], value == second ? 0. : std::abs(value - second)); // no damage: -infinity
+        }
+    double result = 0.;
+    for (const auto &[column, value] : apart)
+      if (value > 0.)
+        result = std::max(result, value / largest[column]);
+    return result;
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const bool                       speaks = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  Checks                           checks;
+  try
+    {
+      for (const auto &[scene, overrides] : cases)
+        {
+          const Outcome one = on(1, scene, overrides);
+          for (const int n : {2, 3})
+            {
+              const Outcome other = on(n, scene, overrides);
+              if (speaks)
+                checks.holds("ran on " + std::to_string(n) + " processes",
+                             other.summary.at("cost").at("processes") == n);
+              if (speaks)
+                checks.below("1 against " + std::to_string(n) + " processes: " + label(scene, overrides),
+                             one.probes.empty() ? std::numeric_limits<double>::infinity() :
+                                                  difference(one, other),
+                             1e-9);
+            }
+        }
+    }
+  catch (const std::exception &exception)
+    {
+      std::cerr << exception.what() << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, 2);
+    }
+  return !speaks || checks.all_right() ? 0 : 1;
+}
