@@ -42,12 +42,13 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
   options::options_description known_options()
   {
     options::options_description description("Options");
-    description.add_options()("output", options::value<std::string>(), "directory to write into")(
-      "set",
-      options::value<std::vector<std::string>>()->composing(),
-      "\"Section/Entry=value\": replace an entry of the scene (may be given again)")("help",
-                                                                                     "print this")("version",
-                                                                                                   "print the version");
+    auto                         option = description.add_options();
+    option("output", options::value<std::string>(), "directory to write into");
+    option("set",
+           options::value<std::vector<std::string>>()->composing(),
+           "\"Section/Entry=value\": replace an entry of the scene (may be given again)");
+    option("help", "print this");
+    option("version", "print the version");
     return description;
   }
 
@@ -147,6 +148,19 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     return Utilities::trim(message.str());
   }
 
+  /// A process alone needs neither a daemon of Open MPI's nor a search for networks, which take as long as the rest of
+  /// MPI_Init. Under a launcher nothing is changed, and what the user has set is kept.
+  void start_alone_without_daemon()
+  {
+    for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+      if (std::getenv(launched) != nullptr)
+        return;
+    const int keep = 0;
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+    setenv("OMPI_MCA_pml", "ob1", keep);
+    setenv("OMPI_MCA_btl", "self", keep);
+  }
+
   /// One process says what all have met; a failure of one process alone is not waited for by the others.
   ExitStatus report(const std::exception &exception, const ExitStatus status)
   {
@@ -160,6 +174,7 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
 int main(int argc, char **argv)
 {
   deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  start_alone_without_daemon();
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   ExitStatus                       status = done;
   try
