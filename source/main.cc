@@ -70,13 +70,15 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     positions.add("words", -1);
     try
       {
-        options::store(options::command_line_parser(argc, argv).options(all).positional(positions).run(), given);
+        options::store(options::command_line_parser(argc, argv).options(all).positional(positions).run(),
+                       given);
       }
     catch (const options::error &error)
       {
         AssertThrow(false, ExcInput(std::string(error.what()) + "; see cautery --help"));
       }
-    auto words = given.count("words") ? given["words"].as<std::vector<std::string>>() : std::vector<std::string>();
+    auto words =
+      given.count("words") ? given["words"].as<std::vector<std::string>>() : std::vector<std::string>();
     if (given.count("help"))
       words = {"help"};
     if (given.count("version"))
@@ -148,8 +150,8 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     return Utilities::trim(message.str());
   }
 
-  /// A process alone needs neither a daemon of Open MPI's nor a search for networks, which take as long as the rest of
-  /// MPI_Init. Under a launcher nothing is changed, and what the user has set is kept.
+  /// A process alone needs neither a daemon of Open MPI's nor a search for networks, which take as long as
+  /// the rest of MPI_Init. Under a launcher nothing is changed, and what the user has set is kept.
   void start_alone_without_daemon()
   {
     for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})

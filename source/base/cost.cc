@@ -7,9 +7,7 @@
 
 namespace Cautery
 {
-  Cost::Cost()
-    : timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
-  {}
+  Cost::Cost() : timer(std::cout, TimerOutput::never, TimerOutput::wall_times) {}
 
   std::map<std::string, double> Cost::seconds_by_part() const
   {
@@ -24,10 +22,7 @@ namespace Cautery
     return effects;
   }
 
-  double Cost::wall_seconds() const
-  {
-    return total.wall_time();
-  }
+  double Cost::wall_seconds() const { return total.wall_time(); }
 
   double Cost::peak_memory()
   {

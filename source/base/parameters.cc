@@ -68,10 +68,7 @@ namespace Cautery
     }
   } // namespace
 
-  Parameters::Parameters(ParameterHandler &handler, const Mode mode)
-    : handler(handler)
-    , mode(mode)
-  {}
+  Parameters::Parameters(ParameterHandler &handler, const Mode mode) : handler(handler), mode(mode) {}
 
   void Parameters::enter(const std::string &name)
   {
@@ -96,8 +93,9 @@ namespace Cautery
     std::abort();
   }
 
-  std::string
-  Parameters::text(const std::string &name, const std::string &default_value, const std::string &documentation)
+  std::string Parameters::text(const std::string &name,
+                               const std::string &default_value,
+                               const std::string &documentation)
   {
     if (mode == Mode::read)
       return handler.get(name);
@@ -107,8 +105,8 @@ namespace Cautery
 
   double Parameters::number(const std::string &name, const std::string &text, const Bounds &bounds) const
   {
-    double            value = 0.;
-    const std::string bare  = Utilities::trim(text);
+    double            value  = 0.;
+    const std::string bare   = Utilities::trim(text);
     const auto        result = std::from_chars(bare.data(), bare.data() + bare.size(), value);
     if (result.ec != std::errc() || result.ptr != bare.data() + bare.size() || !std::isfinite(value))
       reject(name, text, "this is not a number");
@@ -174,8 +172,9 @@ namespace Cautery
     value = text(name, value, documentation);
   }
 
-  void
-  Parameters::entry(const std::string &name, std::vector<std::string> &value, const std::string &documentation)
+  void Parameters::entry(const std::string        &name,
+                         std::vector<std::string> &value,
+                         const std::string        &documentation)
   {
     const std::string given = text(name, join(value), documentation);
     if (reading())

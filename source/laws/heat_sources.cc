@@ -36,7 +36,8 @@ namespace Cautery
   void Schedule::parameters(Parameters &p)
   {
     p.entry("Switch on at", on, "s", "Times at which the source is switched on", Bounds::non_negative());
-    p.entry("Switch off at", off, "s", "Times at which it is switched off; none: never", Bounds::non_negative());
+    p.entry(
+      "Switch off at", off, "s", "Times at which it is switched off; none: never", Bounds::non_negative());
     if (!p.reading())
       return;
     if (off.size() != on.size() && off.size() + 1 != on.size())
@@ -92,7 +93,7 @@ namespace Cautery
     const double       distance  = std::max((offset - z * direction).norm(), inner_radius);
     const double       decay     = 2. * attenuation * distance;
     const double       r_mm      = 1e3 * distance;
-    const double       per_mm3   = scale * (decay + exponent - 2.) * std::exp(-decay) / std::pow(r_mm, exponent) *
+    const double per_mm3 = scale * (decay + exponent - 2.) * std::exp(-decay) / std::pow(r_mm, exponent) *
                            std::exp(-z * z / (axial_distance * axial_distance));
     return 1e9 * per_mm3;
   }
@@ -101,7 +102,8 @@ namespace Cautery
   {
     p.entry("Centre", centre, "m", "Point of the axis where the antenna heats most (z = 0)");
     p.entry("Axis", axis, "", "Direction of the antenna");
-    p.entry("Inner radius", inner_radius, "m", "Radius within which heating stays the same", Bounds::positive());
+    p.entry(
+      "Inner radius", inner_radius, "m", "Radius within which heating stays the same", Bounds::positive());
     p.entry("Scale", scale, "mm^(n-3)", "Scale constant C_t", Bounds::positive());
     p.entry("Attenuation", attenuation, "1/m", "Attenuation constant rho", Bounds::non_negative());
     p.entry("Exponent", exponent, "", "Exponential constant n", Bounds{2., 10., false, false});
@@ -163,8 +165,8 @@ namespace Cautery
         }
     });
     AssertThrow(found,
-                ExcInput("there is no heat source of type `" + type + "`; choose one of: " +
-                         join(heat_source_types())));
+                ExcInput("there is no heat source of type `" + type +
+                         "`; choose one of: " + join(heat_source_types())));
     return chosen;
   }
 } // namespace Cautery

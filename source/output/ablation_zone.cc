@@ -12,8 +12,8 @@ namespace Cautery
   namespace
   {
     /**
-     * The unit cube, cut into n^dim cubes and each of these into dim! simplices along its diagonal (Kuhn). Those
-     * with x >= y >= z fill one simplex, which (x - y, y - z, z) maps to the reference simplex.
+     * The unit cube, cut into n^dim cubes and each of these into dim! simplices along its diagonal (Kuhn).
+     * Those with x >= y >= z fill one simplex, which (x - y, y - z, z) maps to the reference simplex.
      */
     template <int dim>
     std::vector<std::vector<Point<dim>>> linear_parts(const bool simplices, const unsigned int n)
@@ -59,13 +59,15 @@ namespace Cautery
     /// Where a linear function falls from @p above to zero on its way to @p below, as a share of the way.
     double way_to_zero(const double above, const double below) { return above / (above - below); }
 
-    /// The share of a triangle or tetrahedron in which the linear function with these corner values is not negative.
+    /// The share of a triangle or tetrahedron in which the linear function with these corner values is not
+    /// negative.
     double share_above_zero(std::vector<double> values)
     {
       std::sort(values.begin(), values.end(), std::greater<double>());
-      const unsigned int n         = values.size();
-      const unsigned int n_above   = std::count_if(values.begin(), values.end(), [](double v) { return v >= 0.; });
-      const auto         cut_off   = [&](const unsigned int corner) {
+      const unsigned int n = values.size();
+      const unsigned int n_above =
+        std::count_if(values.begin(), values.end(), [](double v) { return v >= 0.; });
+      const auto cut_off = [&](const unsigned int corner) {
         double share = 1.;
         for (unsigned int j = 0; j < n; ++j)
           if (j != corner)
@@ -96,8 +98,7 @@ namespace Cautery
   } // namespace
 
   template <int dim>
-  AblationZone<dim>::AblationZone(const Point<3> &about, const Field<dim> &nodes)
-    : nodes(nodes)
+  AblationZone<dim>::AblationZone(const Point<3> &about, const Field<dim> &nodes) : nodes(nodes)
   {
     for (unsigned int d = 0; d < dim; ++d)
       centre[d] = about[d];
@@ -109,7 +110,8 @@ namespace Cautery
           parts.back().push_back(std::min_element(support.begin(),
                                                   support.end(),
                                                   [&corner](const Point<dim> &a, const Point<dim> &b) {
-                                                    return a.distance_square(corner) < b.distance_square(corner);
+                                                    return a.distance_square(corner) <
+                                                           b.distance_square(corner);
                                                   }) -
                                  support.begin());
       }
@@ -160,8 +162,8 @@ namespace Cautery
             if (*std::max_element(values.begin(), values.end()) < 0.)
               continue;
             for (unsigned int i = 0; i < part.size(); ++i)
-              corners[i] =
-                nodes.mapping().transform_unit_to_real_cell(cell, nodes.element().unit_support_point(part[i]));
+              corners[i] = nodes.mapping().transform_unit_to_real_cell(
+                cell, nodes.element().unit_support_point(part[i]));
             add_part(corners, values, cell->material_id());
           }
       }

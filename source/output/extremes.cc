@@ -27,7 +27,8 @@ namespace Cautery
           displacement_max = std::max(displacement_max, std::sqrt(square));
         }
     if (state.ln_damage.size() > 0)
-      ln_damage_max = std::max(ln_damage_max, *std::max_element(state.ln_damage.begin(), state.ln_damage.end()));
+      ln_damage_max =
+        std::max(ln_damage_max, *std::max_element(state.ln_damage.begin(), state.ln_damage.end()));
   }
 
   Extremes Extremes::reduced(const MPI_Comm communicator) const

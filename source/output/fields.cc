@@ -34,16 +34,16 @@ namespace Cautery
     kept.reserve(columns.size() + 1);
 
     DataOut<dim> data;
-    data.attach_triangulation(nodes.mesh().triangulation()); // before any data: for the regions, which have no DoFs
+    data.attach_triangulation(
+      nodes.mesh().triangulation()); // before any data: for the regions, which have no DoFs
     if (snapshot.displacement != nullptr)
       {
         kept.push_back(snapshot.displacement->ghosted(snapshot.state.displacement));
-        data.add_data_vector(
-          snapshot.displacement->dof_handler(),
-          kept.back(),
-          std::vector<std::string>(dim, "displacement_m"),
-          std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-            dim, DataComponentInterpretation::component_is_part_of_vector));
+        data.add_data_vector(snapshot.displacement->dof_handler(),
+                             kept.back(),
+                             std::vector<std::string>(dim, "displacement_m"),
+                             std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+                               dim, DataComponentInterpretation::component_is_part_of_vector));
       }
     for (auto &column : columns)
       {
@@ -59,7 +59,8 @@ namespace Cautery
     data.add_data_vector(region, "region", DataOut<dim>::type_cell_data);
 
     DataOutBase::VtkFlags flags;
-    flags.compression_level = DataOutBase::VtkFlags::best_speed; // ten times faster than the default, a third larger
+    flags.compression_level =
+      DataOutBase::VtkFlags::best_speed; // ten times faster than the default, a third larger
     data.set_flags(flags);
     // a nonlinear cell cannot be written for simplices: two patches an edge show degree 2 as well
     data.build_patches(nodes.mapping(), nodes.element().degree);

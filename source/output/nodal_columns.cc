@@ -46,8 +46,8 @@ namespace Cautery
     if (snapshot.displacement != nullptr)
       {
         for (unsigned int c = 0; c < dim; ++c)
-          columns.push_back(
-            column(snapshot.nodes, std::string("displacement_") + axes[c] + "_m", [&](const unsigned int node) {
+          columns.push_back(column(
+            snapshot.nodes, std::string("displacement_") + axes[c] + "_m", [&](const unsigned int node) {
               return state.displacement.begin()[dim * node + c];
             }));
         add_tensors(snapshot.nodes, "strain", "", snapshot.mechanical->strain, columns);

@@ -10,8 +10,8 @@ namespace Cautery
   namespace
   {
     template <int dim>
-    std::vector<std::optional<typename PointLocator<dim>::Location>> locate(const std::vector<Probe>  &probes,
-                                                                            const PointLocator<dim> &locator)
+    std::vector<std::optional<typename PointLocator<dim>::Location>> locate(const std::vector<Probe> &probes,
+                                                                            const PointLocator<dim>  &locator)
     {
       std::vector<Point<dim>> places;
       for (const auto &probe : probes)
@@ -25,11 +25,12 @@ namespace Cautery
   } // namespace
 
   template <int dim>
-  Probes<dim>::Probes(const std::vector<Probe> &probes, const PointLocator<dim> &locator, const Field<dim> &nodes)
-    : probes(probes)
-    , nodes(nodes)
-    , locations(locate(probes, locator))
-  {}
+  Probes<dim>::Probes(const std::vector<Probe> &probes,
+                      const PointLocator<dim>  &locator,
+                      const Field<dim>         &nodes)
+    : probes(probes), nodes(nodes), locations(locate(probes, locator))
+  {
+  }
 
   template <int dim>
   void Probes<dim>::write_to(const std::string &file_name)
@@ -89,7 +90,8 @@ namespace Cautery
     for (unsigned int p = 0; p < probes.size(); ++p)
       {
         const auto &place = probes[p].place;
-        file << snapshot.state.time << ',' << probes[p].name << ',' << place[0] << ',' << place[1] << ',' << place[2];
+        file << snapshot.state.time << ',' << probes[p].name << ',' << place[0] << ',' << place[1] << ','
+             << place[2];
         for (unsigned int c = 0; c < columns.size(); ++c)
           file << ',' << values[p * columns.size() + c];
         if (has_damage)

@@ -9,18 +9,13 @@
 namespace Cautery
 {
   Progress::Progress(const bool speaks, const std::string &log_file, const double end_time)
-    : speaks(speaks)
-    , terminal(isatty(STDOUT_FILENO) != 0)
-    , end_time(end_time)
+    : speaks(speaks), terminal(isatty(STDOUT_FILENO) != 0), end_time(end_time)
   {
     if (speaks)
       log.open(log_file);
   }
 
-  Progress::~Progress()
-  {
-    clear();
-  }
+  Progress::~Progress() { clear(); }
 
   void Progress::clear()
   {
@@ -61,7 +56,8 @@ namespace Cautery
     if (share > 0. && share < 1.)
       {
         const double left = elapsed * (1. - share) / share;
-        std::snprintf(buffer, sizeof(buffer), "  %d:%02d left", static_cast<int>(left) / 60, static_cast<int>(left) % 60);
+        std::snprintf(
+          buffer, sizeof(buffer), "  %d:%02d left", static_cast<int>(left) / 60, static_cast<int>(left) % 60);
         out << buffer;
       }
     if (hottest > 0.)

@@ -28,7 +28,8 @@ namespace Cautery
         json["displacement_max_m"] = record.extremes.displacement_max;
       if (record.effects.has_damage())
         {
-          json["damage_max"]    = std::exp(record.extremes.ln_damage_max); // null where it overflows: see the logarithm
+          json["damage_max"] =
+            std::exp(record.extremes.ln_damage_max); // null where it overflows: see the logarithm
           json["ln_damage_max"] = record.extremes.ln_damage_max;
         }
       return json;
@@ -103,19 +104,19 @@ namespace Cautery
       out << "Displacement   up to " << 1e3 * extremes.displacement_max << " mm\n";
     if (ablation)
       {
-        out << "Dead tissue    " << 1e6 * ablation->volume << " cm3" << depth << ", up to " << 1e3 * ablation->radius
-            << " mm from the centre\n";
+        out << "Dead tissue    " << 1e6 * ablation->volume << " cm3" << depth << ", up to "
+            << 1e3 * ablation->radius << " mm from the centre\n";
         for (const auto &[id, region] : ablation->regions)
           out << "               " << (region.name.empty() ? "region " + id : region.name) << ": "
               << 1e6 * region.volume << " cm3, " << std::setprecision(3) << 100. * region.fraction << " %\n"
               << std::setprecision(6);
       }
     if (balance)
-      out << "Heat           " << balance->sources << " J put in" << depth << ", balance closed to " << std::setprecision(2)
-          << balance->relative_error() << " of what moved\n";
-    out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps << " steps on "
-        << processes << (processes == 1 ? " process" : " processes") << ", " << std::setprecision(0) << std::fixed
-        << 1e-6 * peak_memory << " MB at most\n"
+      out << "Heat           " << balance->sources << " J put in" << depth << ", balance closed to "
+          << std::setprecision(2) << balance->relative_error() << " of what moved\n";
+    out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps
+        << " steps on " << processes << (processes == 1 ? " process" : " processes") << ", "
+        << std::setprecision(0) << std::fixed << 1e-6 * peak_memory << " MB at most\n"
         << std::defaultfloat << std::setprecision(3);
     for (const auto &[part, seconds] : seconds_by_part)
       out << "               " << std::setw(10) << seconds << " s  " << part << '\n';

@@ -10,13 +10,13 @@ namespace Cautery
   namespace
   {
     /**
-     * For every cell the matrix int N_i d(N_k)/dx_c over nodes i (rows) and the displacement's unknowns (k, c) (columns):
-     * what a temperature and a divergence have in common.
+     * For every cell the matrix int N_i d(N_k)/dx_c over nodes i (rows) and the displacement's unknowns (k,
+     * c) (columns): what a temperature and a divergence have in common.
      */
     template <int dim>
     void for_each_divergence(
-      const Field<dim> &nodes,
-      const Field<dim> &displacement,
+      const Field<dim>                                                &nodes,
+      const Field<dim>                                                &displacement,
       const std::function<void(const typename DoFHandler<dim>::active_cell_iterator &node_cell,
                                const typename DoFHandler<dim>::active_cell_iterator &displacement_cell,
                                const FullMatrix<double>                             &divergence)> &use)
@@ -69,17 +69,18 @@ namespace Cautery
     std::vector<types::global_dof_index> columns(nodes.element().n_dofs_per_cell());
     FullMatrix<double>                   local(rows.size(), columns.size());
     dealii::Vector<double>               ones(columns.size()), local_reference(rows.size());
-    for_each_divergence<dim>(nodes, displacement, [&](const auto &node_cell, const auto &cell, const auto &divergence) {
-      const Tissue &tissue = tissues[cell->material_id()];
-      node_cell->get_dof_indices(columns);
-      cell->get_dof_indices(rows);
-      local.copy_transposed(divergence);
-      local *= beta(tissue);
-      ones = tissue.expansion.reference_temperature - common_reference;
-      local.vmult(local_reference, ones);
-      matrix.add(rows, columns, local);
-      reference.add(rows, local_reference);
-    });
+    for_each_divergence<dim>(
+      nodes, displacement, [&](const auto &node_cell, const auto &cell, const auto &divergence) {
+        const Tissue &tissue = tissues[cell->material_id()];
+        node_cell->get_dof_indices(columns);
+        cell->get_dof_indices(rows);
+        local.copy_transposed(divergence);
+        local *= beta(tissue);
+        ones = tissue.expansion.reference_temperature - common_reference;
+        local.vmult(local_reference, ones);
+        matrix.add(rows, columns, local);
+        reference.add(rows, local_reference);
+      });
     matrix.compress(VectorOperation::add);
     reference.compress(VectorOperation::add);
   }
@@ -112,19 +113,20 @@ namespace Cautery
       relaxed.reinit(feedback);
     std::vector<types::global_dof_index> rows(nodes.element().n_dofs_per_cell());
     std::vector<types::global_dof_index> columns(displacement.element().n_dofs_per_cell());
-    for_each_divergence<dim>(nodes, displacement, [&](const auto &node_cell, const auto &cell, const auto &divergence) {
-      const Tissue &tissue = tissues[cell->material_id()];
-      node_cell->get_dof_indices(rows);
-      cell->get_dof_indices(columns);
-      FullMatrix<double> local = divergence;
-      local *= beta(tissue) * tissue.expansion.reference_temperature;
-      feedback.add(rows, columns, local);
-      if (non_fourier)
-        {
-          local *= tissue.thermal.relaxation_time;
-          relaxed.add(rows, columns, local);
-        }
-    });
+    for_each_divergence<dim>(
+      nodes, displacement, [&](const auto &node_cell, const auto &cell, const auto &divergence) {
+        const Tissue &tissue = tissues[cell->material_id()];
+        node_cell->get_dof_indices(rows);
+        cell->get_dof_indices(columns);
+        FullMatrix<double> local = divergence;
+        local *= beta(tissue) * tissue.expansion.reference_temperature;
+        feedback.add(rows, columns, local);
+        if (non_fourier)
+          {
+            local *= tissue.thermal.relaxation_time;
+            relaxed.add(rows, columns, local);
+          }
+      });
     feedback.compress(VectorOperation::add);
     if (non_fourier)
       relaxed.compress(VectorOperation::add);

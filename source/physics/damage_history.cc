@@ -19,7 +19,8 @@ namespace Cautery
             cell->get_dof_indices(dofs);
             for (const auto dof : dofs)
               if (nodes.owned().is_element(dof))
-                volumes[nodes.owned().index_within_set(dof)][tissues.index(cell->material_id())] += cell->measure();
+                volumes[nodes.owned().index_within_set(dof)][tissues.index(cell->material_id())] +=
+                  cell->measure();
           }
       // of equal volumes (but for rounding, which depends on the order of cells) the first tissue wins
       for (unsigned int node = 0; node < result.size(); ++node)
@@ -43,7 +44,8 @@ namespace Cautery
     , gradients(gradients)
     , recovery(recovery)
     , node_tissue(largest_tissues(nodes, tissues))
-  {}
+  {
+  }
 
   template <int dim>
   void DamageHistory<dim>::start(State &state)
@@ -57,7 +59,8 @@ namespace Cautery
   std::vector<double> DamageHistory<dim>::strain_energies(const State &state) const
   {
     const auto fields = recovery->evaluate(state);
-    return law == Effects::Damage::thermal_strain_energy ? fields.thermal_strain_energy : fields.strain_energy;
+    return law == Effects::Damage::thermal_strain_energy ? fields.thermal_strain_energy :
+                                                           fields.strain_energy;
   }
 
   template <int dim>
@@ -81,10 +84,11 @@ namespace Cautery
   template <int dim>
   std::vector<double> DamageHistory<dim>::ln_rates(const State &state) const
   {
-    const bool          by_energy = law == Effects::Damage::thermal_strain_energy ||
+    const bool by_energy = law == Effects::Damage::thermal_strain_energy ||
                            law == Effects::Damage::thermo_mechanical_strain_energy;
-    const auto          energies  = by_energy ? strain_energies(state) : std::vector<double>();
-    const auto          fluxes    = law == Effects::Damage::critical_thermal_load ? heat_fluxes(state) : std::vector<double>();
+    const auto energies = by_energy ? strain_energies(state) : std::vector<double>();
+    const auto fluxes =
+      law == Effects::Damage::critical_thermal_load ? heat_fluxes(state) : std::vector<double>();
     std::vector<double> rates(node_tissue.size());
     for (unsigned int node = 0; node < rates.size(); ++node)
       {
@@ -106,9 +110,9 @@ namespace Cautery
     const auto rates = ln_rates(state);
     for (unsigned int node = 0; node < rates.size(); ++node)
       {
-        const double gain = quadrature == DamageSettings::Quadrature::end_of_step ?
-                              rates[node] + std::log(duration) :
-                              ln_integral(last_ln_rates[node], rates[node], duration);
+        const double gain      = quadrature == DamageSettings::Quadrature::end_of_step ?
+                                   rates[node] + std::log(duration) :
+                                   ln_integral(last_ln_rates[node], rates[node], duration);
         double      &ln_damage = state.ln_damage.begin()[node];
         ln_damage              = ln_add(ln_damage, gain);
       }

@@ -14,7 +14,8 @@ namespace Cautery
     {
       if (boundary.mechanical == Boundary::Mechanical::fixed)
         return &no_displacement;
-      return boundary.mechanical == Boundary::Mechanical::displacement ? &boundary.displacement[component] : nullptr;
+      return boundary.mechanical == Boundary::Mechanical::displacement ? &boundary.displacement[component] :
+                                                                         nullptr;
     }
 
     template <int dim>
@@ -97,9 +98,9 @@ namespace Cautery
   template <int dim>
   std::vector<Vector> Elasticity<dim>::near_null_space() const
   {
-    constexpr unsigned int n_rotations = dim == 3 ? 3 : 1;
-    std::vector<Vector>    modes(dim + n_rotations, displacement.vector());
-    const auto            &fe = displacement.element();
+    constexpr unsigned int               n_rotations = dim == 3 ? 3 : 1;
+    std::vector<Vector>                  modes(dim + n_rotations, displacement.vector());
+    const auto                          &fe = displacement.element();
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : displacement.dof_handler().active_cell_iterators())
       {
@@ -110,7 +111,8 @@ namespace Cautery
           if (displacement.owned().is_element(dofs[i]))
             {
               const unsigned int c = fe.system_to_component_index(i).first;
-              const auto place = displacement.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
+              const auto         place =
+                displacement.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
               modes[c](dofs[i]) = 1.;
               // rotation r turns axis a = r+1 towards axis b = r+2 (in the plane: 0 towards 1)
               for (unsigned int r = 0; r < n_rotations; ++r)
@@ -132,8 +134,8 @@ namespace Cautery
   template <int dim>
   void Elasticity<dim>::assemble(const Vector *temperature)
   {
-    const auto   &fe = displacement.element();
-    FEValues<dim> values(nodes.mapping(),
+    const auto                          &fe = displacement.element();
+    FEValues<dim>                        values(nodes.mapping(),
                          nodes.element(),
                          nodes.cell_quadrature(),
                          update_values | update_gradients | update_JxW_values);
@@ -160,10 +162,13 @@ namespace Cautery
             local_load = 0.;
             for (const unsigned int q : values.quadrature_point_indices())
               {
-                Lame         lame   = tissue.elastic.lame(temperatures[q]);
-                const double factor = properties_change ? tissue.expansion.stiffness_factor(temperatures[q]) : 1.;
+                Lame         lame = tissue.elastic.lame(temperatures[q]);
+                const double factor =
+                  properties_change ? tissue.expansion.stiffness_factor(temperatures[q]) : 1.;
                 const double pressure =
-                  properties_change ? lame.bulk_modulus() * tissue.expansion.pressure_factor(temperatures[q]) : 0.;
+                  properties_change ?
+                    lame.bulk_modulus() * tissue.expansion.pressure_factor(temperatures[q]) :
+                    0.;
                 lame.lambda *= factor * values.JxW(q);
                 lame.mu *= factor * values.JxW(q);
                 const double mass_weight = tissue.thermal.density * values.JxW(q);
@@ -220,7 +225,8 @@ namespace Cautery
           const Tensor<1, 3> pull = scene.loads.points[p].force.value(scene.loads.points[p].place, time);
           displacement.cell(load_places[p]->cell)->get_dof_indices(dofs);
           for (unsigned int i = 0; i < dofs.size(); ++i)
-            force(dofs[i]) += pull[fe.system_to_component_index(i).first] * fe.shape_value(i, load_places[p]->unit);
+            force(dofs[i]) +=
+              pull[fe.system_to_component_index(i).first] * fe.shape_value(i, load_places[p]->unit);
         }
   }
 
@@ -228,14 +234,15 @@ namespace Cautery
   void Elasticity<dim>::assemble_outer_load(const double time, Vector &force) const
   {
     const auto   &fe = displacement.element();
-    FEValues<dim> values(nodes.mapping(), nodes.element(), nodes.cell_quadrature(), update_values | update_JxW_values);
+    FEValues<dim> values(
+      nodes.mapping(), nodes.element(), nodes.cell_quadrature(), update_values | update_JxW_values);
     FEFaceValues<dim>                    face_values(nodes.mapping(),
                                   nodes.element(),
                                   nodes.face_quadrature(),
                                   update_values | update_quadrature_points | update_JxW_values);
     dealii::Vector<double>               local(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> dofs(local.size());
-    const auto                           add = [&](const auto &at, const unsigned int q, const Tensor<1, 3> &density) {
+    const auto add = [&](const auto &at, const unsigned int q, const Tensor<1, 3> &density) {
       for (unsigned int i = 0; i < local.size(); ++i)
         {
           const auto [component, node] = fe.system_to_component_index(i);
@@ -254,11 +261,13 @@ namespace Cautery
               {
                 values.reinit(node_cell);
                 for (const unsigned int q : values.quadrature_point_indices())
-                  add(values, q, tissues[cell->material_id()].thermal.density * Tensor<1, 3>(scene.loads.gravity));
+                  add(values,
+                      q,
+                      tissues[cell->material_id()].thermal.density * Tensor<1, 3>(scene.loads.gravity));
               }
             for (const unsigned int face : cell->face_indices())
-              if (cell->face(face)->at_boundary() && boundaries[cell->face(face)->boundary_id()].mechanical ==
-                                                       Boundary::Mechanical::traction)
+              if (cell->face(face)->at_boundary() &&
+                  boundaries[cell->face(face)->boundary_id()].mechanical == Boundary::Mechanical::traction)
                 {
                   const auto &traction = boundaries[cell->face(face)->boundary_id()].traction;
                   face_values.reinit(node_cell, face);

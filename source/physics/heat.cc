@@ -220,8 +220,8 @@ namespace Cautery
   template <int dim>
   void Heat<dim>::assemble_metabolism(const Vector &temperature_before, const Vector &temperature_now)
   {
-    const Vector before = field.ghosted(temperature_before);
-    const Vector now    = field.ghosted(temperature_now);
+    const Vector       before = field.ghosted(temperature_before);
+    const Vector       now    = field.ghosted(temperature_now);
     HeatCellTerms<dim> terms(scene, field);
     inside                 = 0.;
     bookkeeping.metabolism = 0.;

@@ -84,8 +84,8 @@ namespace Cautery
         const double r     = tau[i] / dt;
         const double Y_old = Y[i];
         const double T     = now.begin()[i];
-        Y[i] = implicit ? (r * Y_old + T) / (r + 1.) :
-                          ((r - 0.5) * Y_old + 0.5 * (T + before.begin()[i])) / (r + 0.5);
+        Y[i]               = implicit ? (r * Y_old + T) / (r + 1.) :
+                                        ((r - 0.5) * Y_old + 0.5 * (T + before.begin()[i])) / (r + 0.5);
         integral[i] += dt * (implicit ? Y[i] : 0.5 * (Y[i] + Y_old));
 
         const double flux_old = flux[i];
@@ -154,7 +154,8 @@ namespace Cautery
     result.stored     = stored;
     result.blood      = blood;
     result.expansion  = expansion;
-    // convection and given fluxes are known; what is left over at nodes of prescribed temperature went through them
+    // convection and given fluxes are known; what is left over at nodes of prescribed temperature went
+    // through them
     result.boundary = surfaces - received.surfaces + first + heat.prescribed_temperatures().sum(taken);
     return result;
   }

@@ -23,11 +23,13 @@ namespace Cautery
              field.element(),
              field.cell_quadrature(),
              update_values | update_gradients | update_JxW_values)
-    , face_values(field.mapping(), field.element(), field.face_quadrature(), update_values | update_JxW_values)
+    , face_values(
+        field.mapping(), field.element(), field.face_quadrature(), update_values | update_JxW_values)
     , temperature_before(values.n_quadrature_points)
     , temperature_now(values.n_quadrature_points)
     , ln_damage(dofs.size())
-  {}
+  {
+  }
 
   template <int dim>
   void HeatCellTerms<dim>::reinit(const typename DoFHandler<dim>::active_cell_iterator &cell,

@@ -63,7 +63,8 @@ namespace Cautery
             const auto cell = field.cell(location->cell);
             add_at_point<dim>(cell, location->unit, 1., load);
             if (relaxed != nullptr)
-              add_at_point<dim>(cell, location->unit, tissues[cell->material_id()].thermal.relaxation_time, *relaxed);
+              add_at_point<dim>(
+                cell, location->unit, tissues[cell->material_id()].thermal.relaxation_time, *relaxed);
           }
     };
   }
@@ -75,7 +76,7 @@ namespace Cautery
                               const TissueMap<dim>               &tissues) const -> Assemble
   {
     return [this, density, regions, &tissues](const double time, Vector &load, Vector *relaxed) {
-      FEValues<dim> values(field.mapping(),
+      FEValues<dim>                        values(field.mapping(),
                            field.element(),
                            field.cell_quadrature(),
                            update_values | update_quadrature_points | update_JxW_values);
@@ -117,11 +118,12 @@ namespace Cautery
           item.assemble = points(*shape, source.name, tissues, locator);
         else if (const auto *shape = std::get_if<ExpressionSource>(&source.source))
           {
-            item.changes  = shape->distribution.depends_on_time();
-            item.assemble = volume([shape](const Point<3> &place,
-                                           const double time) { return shape->distribution.value(place, time); },
-                                   everywhere,
-                                   tissues);
+            item.changes = shape->distribution.depends_on_time();
+            item.assemble =
+              volume([shape](const Point<3> &place,
+                             const double    time) { return shape->distribution.value(place, time); },
+                     everywhere,
+                     tissues);
           }
         else
           item.assemble = std::visit(
@@ -131,10 +133,12 @@ namespace Cautery
                 return volume([](const Point<3> &, const double) { return 1.; },
                               field.mesh().region_ids(shape.regions),
                               tissues);
-              else if constexpr (std::is_same_v<Shape, GaussianSource> || std::is_same_v<Shape, MicrowaveAntenna>)
-                return volume([&shape](const Point<3> &place, const double) { return shape.density(place, dim); },
-                              everywhere,
-                              tissues);
+              else if constexpr (std::is_same_v<Shape, GaussianSource> ||
+                                 std::is_same_v<Shape, MicrowaveAntenna>)
+                return volume(
+                  [&shape](const Point<3> &place, const double) { return shape.density(place, dim); },
+                  everywhere,
+                  tissues);
               else
                 return {};
             },
@@ -158,42 +162,42 @@ namespace Cautery
         const double      factor     = convection ? boundary.transfer_coefficient : 1.;
         const auto        surfaces   = map.surfaces(b);
         Item              item;
-        item.changes  = expression.depends_on_time();
-        item.assemble = [this, &expression, factor, surfaces, &tissues](const double time,
-                                                                        Vector      &load,
-                                                                        Vector      *relaxed) {
-          FEFaceValues<dim> values(field.mapping(),
-                                   field.element(),
-                                   field.face_quadrature(),
-                                   update_values | update_quadrature_points | update_JxW_values);
-          dealii::Vector<double>               local(field.element().n_dofs_per_cell());
-          std::vector<types::global_dof_index> dofs(local.size());
-          for (const auto &cell : field.dof_handler().active_cell_iterators())
-            {
-              if (!cell->is_locally_owned() || !cell->at_boundary())
-                continue;
-              local = 0.;
-              for (const unsigned int face : cell->face_indices())
-                if (cell->face(face)->at_boundary() && surfaces.count(cell->face(face)->boundary_id()) == 1)
+        item.changes = expression.depends_on_time();
+        item.assemble =
+          [this, &expression, factor, surfaces, &tissues](const double time, Vector &load, Vector *relaxed) {
+            FEFaceValues<dim>                    values(field.mapping(),
+                                     field.element(),
+                                     field.face_quadrature(),
+                                     update_values | update_quadrature_points | update_JxW_values);
+            dealii::Vector<double>               local(field.element().n_dofs_per_cell());
+            std::vector<types::global_dof_index> dofs(local.size());
+            for (const auto &cell : field.dof_handler().active_cell_iterators())
+              {
+                if (!cell->is_locally_owned() || !cell->at_boundary())
+                  continue;
+                local = 0.;
+                for (const unsigned int face : cell->face_indices())
+                  if (cell->face(face)->at_boundary() && surfaces.count(cell->face(face)->boundary_id()) == 1)
+                    {
+                      values.reinit(cell, face);
+                      for (const unsigned int q : values.quadrature_point_indices())
+                        {
+                          const double heat =
+                            factor * expression.value(in_space<dim>(values.quadrature_point(q)), time) *
+                            values.JxW(q);
+                          for (const unsigned int i : values.dof_indices())
+                            local(i) += heat * values.shape_value(i, q);
+                        }
+                    }
+                cell->get_dof_indices(dofs);
+                load.add(dofs, local);
+                if (relaxed != nullptr)
                   {
-                    values.reinit(cell, face);
-                    for (const unsigned int q : values.quadrature_point_indices())
-                      {
-                        const double heat =
-                          factor * expression.value(in_space<dim>(values.quadrature_point(q)), time) * values.JxW(q);
-                        for (const unsigned int i : values.dof_indices())
-                          local(i) += heat * values.shape_value(i, q);
-                      }
+                    local *= tissues[cell->material_id()].thermal.relaxation_time;
+                    relaxed->add(dofs, local);
                   }
-              cell->get_dof_indices(dofs);
-              load.add(dofs, local);
-              if (relaxed != nullptr)
-                {
-                  local *= tissues[cell->material_id()].thermal.relaxation_time;
-                  relaxed->add(dofs, local);
-                }
-            }
-        };
+              }
+          };
         add_item(std::move(item));
       }
   }
@@ -212,8 +216,7 @@ namespace Cautery
   }
 
   template <int dim>
-  void
-  HeatLoads<dim>::assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const
+  void HeatLoads<dim>::assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const
   {
     load = 0.;
     if (relaxed != nullptr)
@@ -302,8 +305,10 @@ namespace Cautery
     const double h = 1e-5 * std::max(1., std::abs(time));
     for (const auto &item : items)
       {
-        const bool   active = item.source == nullptr || item.source->schedule.active(within);
-        const auto   value  = [&](const double t) { return item.source == nullptr ? 1. : item.source->amplitude(t); };
+        const bool active = item.source == nullptr || item.source->schedule.active(within);
+        const auto value  = [&](const double t) {
+          return item.source == nullptr ? 1. : item.source->amplitude(t);
+        };
         if (!active)
           continue;
         if (!item.changes)
@@ -384,12 +389,12 @@ namespace Cautery
         double amplitude = mean_amplitude(item, step);
         if (item.source != nullptr && non_fourier && !(jumps && item.changes))
           {
-            // A source acts as s with tau s' + s = a + tau a': other than a where its jumps are neglected, and after a switch inside
-            // a step, of which a holds the share and a' the whole jump.
+            // A source acts as s with tau s' + s = a + tau a': other than a where its jumps are neglected,
+            // and after a switch inside a step, of which a holds the share and a' the whole jump.
             const auto [before, after] = end_amplitudes(item, step);
             const double decay         = item.delay / step.length();
-            item.effective             = (decay * (item.effective + after - before) + amplitude) / (1. + decay);
-            amplitude                  = item.effective;
+            item.effective = (decay * (item.effective + after - before) + amplitude) / (1. + decay);
+            amplitude      = item.effective;
           }
         double heat = amplitude * step.length();
         if (item.changes)

@@ -12,14 +12,15 @@ namespace Cautery
     , gradients(gradients)
     , displacement(displacement)
     , tissues(tissues)
-  {}
+  {
+  }
 
   template <int dim>
   MechanicalFields<dim> MechanicalRecovery<dim>::evaluate(const State &state) const
   {
-    const auto           values  = gradients.evaluate(displacement, state.displacement);
-    const auto          &pieces  = gradients.pieces();
-    const unsigned int   n_nodes = displacement.owned().n_elements() / dim;
+    const auto            values  = gradients.evaluate(displacement, state.displacement);
+    const auto           &pieces  = gradients.pieces();
+    const unsigned int    n_nodes = displacement.owned().n_elements() / dim;
     MechanicalFields<dim> fields;
     fields.strain.resize(n_nodes);
     fields.stress.resize(n_nodes);
@@ -37,9 +38,10 @@ namespace Cautery
 
         const double temperature =
           expands ? state.temperature.begin()[piece.node] : tissue.expansion.reference_temperature;
-        const Lame   lame    = tissue.elastic.lame(temperature);
-        const double factor  = expands ? tissue.expansion.stiffness_factor(temperature) : 1.;
-        const double thermal = expands ? lame.bulk_modulus() * tissue.expansion.pressure_factor(temperature) : 0.;
+        const Lame   lame   = tissue.elastic.lame(temperature);
+        const double factor = expands ? tissue.expansion.stiffness_factor(temperature) : 1.;
+        const double thermal =
+          expands ? lame.bulk_modulus() * tissue.expansion.pressure_factor(temperature) : 0.;
 
         const SymmetricTensor<2, dim> elastic = factor * lame.stress(strain);
         const SymmetricTensor<2, dim> stress  = elastic - thermal * unit_symmetric_tensor<dim>();

@@ -9,8 +9,7 @@ namespace Cautery
 {
   template <int dim>
   NodalGradients<dim>::NodalGradients(const Field<dim> &nodes, const TissueMap<dim> &tissues)
-    : nodes(nodes)
-    , per_cell(nodes.element().n_dofs_per_cell())
+    : nodes(nodes), per_cell(nodes.element().n_dofs_per_cell())
   {
     const Quadrature<dim>                at_nodes(nodes.element().get_unit_support_points());
     FEValues<dim>                        values(nodes.mapping(), nodes.element(), at_nodes, update_gradients);
@@ -43,10 +42,8 @@ namespace Cautery
             used                    = true;
             const unsigned int node = nodes.owned().index_within_set(dofs[i]);
             parts[{node, tissue}].emplace_back(contributions.size(), volume);
-            contributions.push_back({0,
-                                     first_node,
-                                     static_cast<unsigned int>(shape_gradients.size()) - per_cell,
-                                     volume});
+            contributions.push_back(
+              {0, first_node, static_cast<unsigned int>(shape_gradients.size()) - per_cell, volume});
           }
       }
 

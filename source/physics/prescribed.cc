@@ -25,11 +25,13 @@ namespace Cautery
             const unsigned int boundary = boundaries.index(cell->face(face)->boundary_id());
             for (const unsigned int i : field.on_face(face))
               {
-                const auto        component  = fe.system_to_component_index(i).first;
-                const Expression *expression = chooser(boundaries[cell->face(face)->boundary_id()], component);
+                const auto        component = fe.system_to_component_index(i).first;
+                const Expression *expression =
+                  chooser(boundaries[cell->face(face)->boundary_id()], component);
                 if (expression == nullptr)
                   continue;
-                const auto place = field.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
+                const auto place =
+                  field.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
                 const auto [known, is_new] =
                   values.insert({dofs[i], {boundary, expression, in_space<dim>(place)}});
                 if (!is_new && boundary < known->second.boundary)

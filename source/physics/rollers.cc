@@ -74,11 +74,13 @@ namespace Cautery
     }
 
     /**
-     * n . u = 0 for all @p normals, solved for as many components by elimination with the largest pivots; normals that follow from
-     * the others say nothing new.
+     * n . u = 0 for all @p normals, solved for as many components by elimination with the largest pivots;
+     * normals that follow from the others say nothing new.
      */
     template <int dim>
-    void add_lines(const types::global_dof_index node, Normals<dim> normals, AffineConstraints<double> &constraints)
+    void add_lines(const types::global_dof_index node,
+                   Normals<dim>                  normals,
+                   AffineConstraints<double>    &constraints)
     {
       constexpr double          dependent = 0.1;
       std::vector<unsigned int> pivots;

@@ -13,8 +13,8 @@ namespace Cautery
     , recovery(scene.effects, gradients, field, body.tissues)
   {
     if (scene.effects.deformation == Effects::Deformation::inertia)
-      integrator =
-        std::make_unique<BackwardEuler>(scene.time, scene.numerics, std::vector<Balance *>{&elasticity}, cost);
+      integrator = std::make_unique<BackwardEuler>(
+        scene.time, scene.numerics, std::vector<Balance *>{&elasticity}, cost);
     else
       equilibrium = std::make_unique<Equilibrium>(elasticity, cost);
   }

@@ -14,8 +14,7 @@ namespace Cautery
 {
   template <int dim>
   Simulation<dim>::Simulation(const Scene &scene, const MPI_Comm communicator)
-    : scene(scene)
-    , communicator(communicator)
+    : scene(scene), communicator(communicator)
   {
     {
       const auto scope = cost.measure("set-up: mesh");
@@ -39,8 +38,10 @@ namespace Cautery
     out << "Effects on     " << join(scene.effects.on(), ", ") << '\n'
         << "Effects off    " << join(scene.effects.off(), ", ") << '\n'
         << "Mesh           "
-        << (from_file ? std::filesystem::path(scene.mesh.file_name).filename().string() : "box") << ": " << mesh.n_cells() << ' '
-        << (mesh.simplices() ? (dim == 3 ? "tetrahedra" : "triangles") : (dim == 3 ? "hexahedra" : "quadrilaterals"))
+        << (from_file ? std::filesystem::path(scene.mesh.file_name).filename().string() : "box") << ": "
+        << mesh.n_cells() << ' '
+        << (mesh.simplices() ? (dim == 3 ? "tetrahedra" : "triangles") :
+                               (dim == 3 ? "hexahedra" : "quadrilaterals"))
         << ", " << mesh.n_vertices() << " nodes, " << mesh.volume() << (dim == 3 ? " m3" : " m2") << '\n';
     for (const auto &note : mesh.notes())
       out << "               note: " << note << '\n';
@@ -51,10 +52,12 @@ namespace Cautery
     if (scene.time.integrator == TimeSettings::Integrator::ida)
       out << "steps chosen by IDA";
     else
-      out << std::ceil(scene.time.end / scene.time.step * (1. - 1e-12)) << " steps of " << scene.time.step << " s";
+      out << std::ceil(scene.time.end / scene.time.step * (1. - 1e-12)) << " steps of " << scene.time.step
+          << " s";
     out << ", " << scene.output.output_times(scene.time.end).size() << " output times\n"
         << "Memory         " << std::fixed << std::setprecision(0)
-        << 1e-6 * Utilities::MPI::max(Cost::peak_memory(), communicator) << " MB a process before the first step\n\n";
+        << 1e-6 * Utilities::MPI::max(Cost::peak_memory(), communicator)
+        << " MB a process before the first step\n\n";
     return out.str();
   }
 
@@ -78,7 +81,8 @@ namespace Cautery
   void Simulation<dim>::run(const std::string &directory)
   {
     prepare_directory(directory);
-    Progress progress(Utilities::MPI::this_mpi_process(communicator) == 0, directory + "/log.txt", scene.time.end);
+    Progress progress(
+      Utilities::MPI::this_mpi_process(communicator) == 0, directory + "/log.txt", scene.time.end);
     progress.say(description());
     probes->write_to(directory + "/probes.csv");
     if (scene.output.fields)
@@ -94,7 +98,8 @@ namespace Cautery
             while (state.time < time)
               advance(state, time, progress);
             observe(state);
-            progress.say(progress.line(state.time, state.step, extremes.reduced(communicator).hottest_now) + '\n');
+            progress.say(progress.line(state.time, state.step, extremes.reduced(communicator).hottest_now) +
+                         '\n');
           }
       }
     catch (const ExcRun &failure)
@@ -118,9 +123,9 @@ namespace Cautery
                 ExcRun("Time/Largest number of steps = " + std::to_string(scene.time.max_steps) +
                        " was reached at t = " + to_text(state.time) + " s; allow more, or larger steps"));
     extremes.observe(state, dim);
-    AssertThrow(!scene.effects.has_heat() || std::isfinite(extremes.hottest_now),
-                ExcRun("the temperature is not finite at t = " + to_text(state.time) +
-                       " s; take a smaller Time/Step"));
+    AssertThrow(
+      !scene.effects.has_heat() || std::isfinite(extremes.hottest_now),
+      ExcRun("the temperature is not finite at t = " + to_text(state.time) + " s; take a smaller Time/Step"));
     if (scene.output.every_step)
       progress.say(progress.line(state.time, state.step, extremes.hottest_now) + '\n');
     else
@@ -138,8 +143,9 @@ namespace Cautery
         const auto scope = cost.measure("deformation: strain and stress");
         mechanical       = problem->mechanical_fields(state);
       }
-    const Snapshot<dim> snapshot{state, body->nodes, problem->displacement(), mechanical ? &*mechanical : nullptr};
-    const auto          look = [&](Observer<dim> &observer) {
+    const Snapshot<dim> snapshot{
+      state, body->nodes, problem->displacement(), mechanical ? &*mechanical : nullptr};
+    const auto look = [&](Observer<dim> &observer) {
       const auto scope = cost.measure(observer.name());
       observer.observe(snapshot);
     };
@@ -170,9 +176,8 @@ namespace Cautery
         zone.radius = ablation->radius();
         zone.centre = scene.output.ablation_centre;
         for (const auto &[id, volume] : ablation->volumes())
-          zone.regions[std::to_string(id)] = {body->mesh.regions().at(id),
-                                              volume,
-                                              volume / body->mesh.volumes().at(id)};
+          zone.regions[std::to_string(id)] = {
+            body->mesh.regions().at(id), volume, volume / body->mesh.volumes().at(id)};
         result.ablation = zone;
       }
     result.wall_seconds      = cost.wall_seconds();

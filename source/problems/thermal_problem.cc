@@ -8,7 +8,7 @@ namespace Cautery
   template <int dim>
   void start_heat(const Scene &scene, const Field<dim> &nodes, State &state)
   {
-    state.temperature = nodes.vector();
+    state.temperature                            = nodes.vector();
     const auto                          &support = nodes.element().get_unit_support_points();
     std::vector<types::global_dof_index> dofs(support.size());
     for (const auto &cell : nodes.dof_handler().active_cell_iterators())
@@ -47,7 +47,8 @@ namespace Cautery
     if (scene.effects.damage == Effects::Damage::critical_thermal_load)
       gradients = std::make_unique<NodalGradients<dim>>(body.nodes, body.tissues);
     if (scene.effects.has_damage())
-      damage = std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, gradients.get(), nullptr);
+      damage =
+        std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, gradients.get(), nullptr);
   }
 
   template <int dim>
@@ -92,8 +93,8 @@ namespace Cautery
     return result;
   }
 
-  template void start_heat(const Scene &, const Field<2> &, State &);
-  template void start_heat(const Scene &, const Field<3> &, State &);
+  template void                 start_heat(const Scene &, const Field<2> &, State &);
+  template void                 start_heat(const Scene &, const Field<3> &, State &);
   template HeatBalance<2>::Rule bookkeeping_rule<2>(const TimeSettings &);
   template HeatBalance<3>::Rule bookkeeping_rule<3>(const TimeSettings &);
   template class ThermalProblem<2>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/problems/mechanical_problem.h>
 #include <cautery/problems/thermal_problem.h>
 #include <cautery/problems/thermomechanical_problem.h>
-#include <cautery/problems/mechanical_problem.h>
 #include <cautery/time/coupled_backward_euler.h>
 #include <cautery/time/ida_heat.h>
 
@@ -39,7 +39,8 @@ namespace Cautery
   {
     if (scene.effects.coupling == Effects::Coupling::two_way)
       {
-        feedback = std::make_unique<ThermoelasticFeedback<dim>>(body.nodes, field, body.tissues, heat.relaxes());
+        feedback =
+          std::make_unique<ThermoelasticFeedback<dim>>(body.nodes, field, body.tissues, heat.relaxes());
         integrator = std::make_unique<CoupledBackwardEuler<dim>>(
           scene.time, scene.numerics, heat, elasticity, *elasticity.expansion(), *feedback, cost);
       }
@@ -63,11 +64,13 @@ namespace Cautery
     if (elasticity.rate() != nullptr)
       state.displacement_rate = field.vector();
     // with inertia a body starts at rest and undeformed; without it, in equilibrium
-    if (scene.effects.deformation == Effects::Deformation::equilibrium && (displacement_at_every_step || feedback))
+    if (scene.effects.deformation == Effects::Deformation::equilibrium &&
+        (displacement_at_every_step || feedback))
       equilibrium.solve(state);
     if (damage)
       damage->start(state);
-    books = std::make_unique<HeatBalance<dim>>(heat, feedback.get(), state, bookkeeping_rule<dim>(scene.time));
+    books =
+      std::make_unique<HeatBalance<dim>>(heat, feedback.get(), state, bookkeeping_rule<dim>(scene.time));
     return state;
   }
 
@@ -100,7 +103,8 @@ namespace Cautery
   }
 
   template <int dim>
-  std::optional<MechanicalFields<dim>> ThermomechanicalProblem<dim>::mechanical_fields(const State &state) const
+  std::optional<MechanicalFields<dim>>
+  ThermomechanicalProblem<dim>::mechanical_fields(const State &state) const
   {
     return recovery.evaluate(state);
   }

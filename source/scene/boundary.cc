@@ -7,7 +7,8 @@ namespace Cautery
   {
     p.entry("Surfaces",
             surfaces,
-            "Surfaces of the mesh, by number or name (a box has x min, x max, y min, ...); `all`, or `remaining` for "
+            "Surfaces of the mesh, by number or name (a box has x min, x max, y min, ...); `all`, or "
+            "`remaining` for "
             "what no other boundary names");
     p.entry("Thermal",
             thermal,
@@ -17,13 +18,14 @@ namespace Cautery
                              {"convection", Thermal::convection},
                              {"insulated", Thermal::insulated}},
             "The thermal condition; needed where Heat is on");
-    p.entry("Temperature", temperature, "K", "For `temperature`; an expression in x, y, z, t", Bounds::non_negative());
-    p.entry("Flux", flux, "W/m2", "For `flux`, into the body; an expression in x, y, z, t");
-    p.entry("Transfer coefficient",
-            transfer_coefficient,
-            "W/(m2 K)",
-            "For `convection`",
+    p.entry("Temperature",
+            temperature,
+            "K",
+            "For `temperature`; an expression in x, y, z, t",
             Bounds::non_negative());
+    p.entry("Flux", flux, "W/m2", "For `flux`, into the body; an expression in x, y, z, t");
+    p.entry(
+      "Transfer coefficient", transfer_coefficient, "W/(m2 K)", "For `convection`", Bounds::non_negative());
     p.entry("Ambient temperature",
             ambient_temperature,
             "K",

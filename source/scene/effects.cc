@@ -16,9 +16,10 @@ namespace Cautery
                                                              {"constant", Effects::Metabolism::constant},
                                                              {"Q10", Effects::Metabolism::q10}};
 
-    const Choices<Effects::Deformation> deformation_choices = {{"off", Effects::Deformation::off},
-                                                               {"equilibrium", Effects::Deformation::equilibrium},
-                                                               {"inertia", Effects::Deformation::inertia}};
+    const Choices<Effects::Deformation> deformation_choices = {
+      {"off", Effects::Deformation::off},
+      {"equilibrium", Effects::Deformation::equilibrium},
+      {"inertia", Effects::Deformation::inertia}};
 
     const Choices<Effects::Coupling> coupling_choices = {{"off", Effects::Coupling::off},
                                                          {"expansion", Effects::Coupling::expansion},
@@ -72,7 +73,8 @@ namespace Cautery
     p.entry("Heat source jumps",
             source_jumps,
             jump_choices,
-            "Non-Fourier: a switched source makes the rate of temperature jump, or this is neglected as in the thesis");
+            "Non-Fourier: a switched source makes the rate of temperature jump, or this is neglected as in "
+            "the thesis");
     p.entry("Heat sources", heat_sources, "The section `Heat sources` counts");
     p.entry("Perfusion", perfusion, "Blood carries heat away");
     p.entry("Perfusion stops in dead tissue",
@@ -93,7 +95,8 @@ namespace Cautery
 
   void Effects::check() const
   {
-    forbid(!has_heat() && !has_deformation(), "neither Heat nor Deformation is on: there is nothing to simulate");
+    forbid(!has_heat() && !has_deformation(),
+           "neither Heat nor Deformation is on: there is nothing to simulate");
     forbid(coupling != Coupling::off && (!has_heat() || !has_deformation()),
            "Coupling needs both Heat and Deformation; turn it off or turn them on");
     forbid(has_damage() && !has_heat(), "Damage needs Heat; turn Damage off or Heat on");

@@ -17,7 +17,10 @@ namespace Cautery
             "",
             "Norm of the residual, relative to the largest right-hand side of the run so far",
             Bounds::between_open(0., 1.));
-    p.entry("Largest number of iterations", max_iterations, "After which the run fails", Bounds{1., 1e9, false, false});
+    p.entry("Largest number of iterations",
+            max_iterations,
+            "After which the run fails",
+            Bounds{1., 1e9, false, false});
     p.entry("Remembered solutions",
             guesses,
             "Earlier solutions that the initial guess is combined from",
@@ -27,16 +30,18 @@ namespace Cautery
   void Numerics::parameters(Parameters &p)
   {
     p.entry("Element degree", degree, "Polynomial degree of the finite elements", Bounds::between(1, 2));
-    p.entry("Capacity matrix",
-            capacity_matrix,
-            Choices<CapacityMatrix>{{"consistent", CapacityMatrix::consistent}, {"lumped", CapacityMatrix::lumped}},
-            "Lumped (degree 1 only) keeps temperatures from undershooting near point sources");
+    p.entry(
+      "Capacity matrix",
+      capacity_matrix,
+      Choices<CapacityMatrix>{{"consistent", CapacityMatrix::consistent}, {"lumped", CapacityMatrix::lumped}},
+      "Lumped (degree 1 only) keeps temperatures from undershooting near point sources");
     p.entry("Displacement at",
             displacement_at,
             Choices<DisplacementAt>{{"automatic", DisplacementAt::automatic},
                                     {"every step", DisplacementAt::every_step},
                                     {"output times", DisplacementAt::output_times}},
-            "When a displacement in equilibrium is solved for; automatic: at every step only if an effect needs it");
+            "When a displacement in equilibrium is solved for; automatic: at every step only if an effect "
+            "needs it");
     p.entry("Iteration tolerance",
             iteration_tolerance,
             "K",
@@ -57,12 +62,10 @@ namespace Cautery
             integrator,
             Choices<Integrator>{{"backward Euler", Integrator::backward_euler}, {"IDA", Integrator::ida}},
             "Fixed steps, or SUNDIALS IDA with variable order and step");
-    p.entry("Step", step, "s", "Step of backward Euler; shortened to meet an output time", Bounds::positive());
-    p.entry("Relative tolerance",
-            relative_tolerance,
-            "",
-            "Of IDA's local error",
-            Bounds::between_open(0., 1.));
+    p.entry(
+      "Step", step, "s", "Step of backward Euler; shortened to meet an output time", Bounds::positive());
+    p.entry(
+      "Relative tolerance", relative_tolerance, "", "Of IDA's local error", Bounds::between_open(0., 1.));
     p.entry("Absolute tolerance", absolute_tolerance, "K", "Of IDA's local error", Bounds::positive());
     p.entry("Largest number of steps", max_steps, "After which the run fails", Bounds{1., 4e9, false, false});
   }

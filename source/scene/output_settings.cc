@@ -31,8 +31,10 @@ namespace Cautery
 
   void OutputSettings::parameters(Parameters &p)
   {
-    p.entry("Directory", directory, "Where the run writes; empty: `output/` and the name of the scene's file");
-    p.entry("Interval", interval, "s", "Time between outputs; 0: only `Times` and the end", Bounds::non_negative());
+    p.entry(
+      "Directory", directory, "Where the run writes; empty: `output/` and the name of the scene's file");
+    p.entry(
+      "Interval", interval, "s", "Time between outputs; 0: only `Times` and the end", Bounds::non_negative());
     p.entry("Times", times, "s", "Further output times", Bounds::positive());
     p.entry("Fields", fields, "Write solution.pvd with its .vtu files at the output times");
     p.entry("Probe names", probe_names, "Names of the probes");

@@ -13,21 +13,25 @@ namespace Cautery
 {
   void DamageSettings::parameters(Parameters &p)
   {
-    p.entry("Quadrature",
-            quadrature,
-            Choices<Quadrature>{{"exponential", Quadrature::exponential}, {"end of step", Quadrature::end_of_step}},
-            "How the rate of damage is integrated over a step: with a logarithm that runs straight, or with its value "
-            "at the end (thesis Eq. 6-24)");
+    p.entry(
+      "Quadrature",
+      quadrature,
+      Choices<Quadrature>{{"exponential", Quadrature::exponential}, {"end of step", Quadrature::end_of_step}},
+      "How the rate of damage is integrated over a step: with a logarithm that runs straight, or with its "
+      "value "
+      "at the end (thesis Eq. 6-24)");
   }
 
   bool Scene::thermal_properties_change() const
   {
-    return std::any_of(tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.thermally_constant(); });
+    return std::any_of(
+      tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.thermally_constant(); });
   }
 
   bool Scene::elastic_properties_change() const
   {
-    return std::any_of(tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.elastically_constant(); });
+    return std::any_of(
+      tissues.begin(), tissues.end(), [](const Tissue &t) { return !t.elastically_constant(); });
   }
 
   namespace
@@ -47,18 +51,18 @@ namespace Cautery
     }
 
     /**
-     * The scene's text with its overrides. Which entries exist depends on other entries (a subsection for each name,
-     * entries by a source's type), so these are peeked at before everything is declared.
+     * The scene's text with its overrides. Which entries exist depends on other entries (a subsection for
+     * each name, entries by a source's type), so these are peeked at before everything is declared.
      */
     class SceneText
     {
     public:
       SceneText(const std::string &file_name, const std::vector<Override> &overrides)
-        : file_name(file_name)
-        , overrides(overrides)
+        : file_name(file_name), overrides(overrides)
       {
         std::ifstream file(file_name);
-        AssertThrow(file, ExcInput("the scene `" + file_name + "` cannot be read; give the path of a .prm file"));
+        AssertThrow(file,
+                    ExcInput("the scene `" + file_name + "` cannot be read; give the path of a .prm file"));
         std::ostringstream stream;
         stream << file.rdbuf();
         text = stream.str();
@@ -68,7 +72,10 @@ namespace Cautery
       {
         parse(handler, text, file_name, skip_undefined);
         for (const auto &given : overrides)
-          parse(handler, override_text(given), "--set \"" + given.path + "=" + given.value + "\"", skip_undefined);
+          parse(handler,
+                override_text(given),
+                "--set \"" + given.path + "=" + given.value + "\"",
+                skip_undefined);
       }
 
       std::string peek(const Path &sections, const std::string &name, const std::string &default_value) const
@@ -143,7 +150,8 @@ namespace Cautery
         for (auto &tissue : scene.tissues)
           p.section(tissue.name, [&]() {
             std::string preset = tissue_presets().front();
-            p.entry("Preset", preset, "Values that are the defaults here [" + join(tissue_presets(), " | ") + "]");
+            p.entry(
+              "Preset", preset, "Values that are the defaults here [" + join(tissue_presets(), " | ") + "]");
           });
       });
     }
@@ -153,11 +161,13 @@ namespace Cautery
       p.section("Heat sources", [&]() {
         for (auto &source : scene.heat_sources)
           p.section(source.name, [&]() {
-            std::string type = std::visit([](const auto &shape) { return std::string(shape.type); }, source.source);
+            std::string type =
+              std::visit([](const auto &shape) { return std::string(shape.type); }, source.source);
             p.entry("Type", type, "The source's type [" + join(heat_source_types(), " | ") + "]");
           });
       });
-      named_sections(p, "Heat sources", "Names of the heat sources, each with a subsection", scene.heat_sources);
+      named_sections(
+        p, "Heat sources", "Names of the heat sources, each with a subsection", scene.heat_sources);
     }
 
     /// The order in which a complete scene is written.
@@ -202,7 +212,8 @@ namespace Cautery
       Scene scene;
       for (const auto &name : text.peek_names("Tissues", "tissue"))
         {
-          scene.tissues.push_back(make_tissue(text.peek({"Tissues", name}, "Preset", tissue_presets().front())));
+          scene.tissues.push_back(
+            make_tissue(text.peek({"Tissues", name}, "Preset", tissue_presets().front())));
           scene.tissues.back().name = name;
         }
       for (const auto &name : text.peek_names("Heat sources", ""))
@@ -234,34 +245,40 @@ namespace Cautery
                  boundary.mechanical == Boundary::Mechanical::displacement ||
                  boundary.mechanical == Boundary::Mechanical::roller;
         }
-      require(held || scene.effects.deformation != Effects::Deformation::equilibrium,
-              "Boundaries: nothing holds the body, so it has no equilibrium; set Mechanical = fixed, roller or "
-              "displacement somewhere, or Effects/Deformation = inertia");
+      require(
+        held || scene.effects.deformation != Effects::Deformation::equilibrium,
+        "Boundaries: nothing holds the body, so it has no equilibrium; set Mechanical = fixed, roller or "
+        "displacement somewhere, or Effects/Deformation = inertia");
     }
 
     void check_properties(const Scene &scene)
     {
       for (const auto &tissue : scene.tissues)
-        require(scene.effects.temperature_dependent_properties ||
-                  (tissue.thermally_constant() && tissue.elastic.youngs_modulus.is_constant() &&
-                   tissue.expansion.coefficient.is_constant()),
-                "Tissues/" + tissue.name +
-                  " has a property that depends on temperature; set Effects/Temperature-dependent properties = on, "
-                  "or give a number");
+        require(
+          scene.effects.temperature_dependent_properties ||
+            (tissue.thermally_constant() && tissue.elastic.youngs_modulus.is_constant() &&
+             tissue.expansion.coefficient.is_constant()),
+          "Tissues/" + tissue.name +
+            " has a property that depends on temperature; set Effects/Temperature-dependent properties = on, "
+            "or give a number");
     }
 
     void check_numerics(const Scene &scene)
     {
       const bool ida = scene.time.integrator == TimeSettings::Integrator::ida;
-      require(!ida || scene.effects.has_heat(), "Time/Integrator = IDA integrates heat; turn Effects/Heat on");
+      require(!ida || scene.effects.has_heat(),
+              "Time/Integrator = IDA integrates heat; turn Effects/Heat on");
       require(!ida || scene.effects.coupling != Effects::Coupling::two_way,
-              "Time/Integrator = IDA does not know two-way coupling; choose backward Euler or Coupling = expansion");
-      require(!ida || scene.effects.deformation != Effects::Deformation::inertia,
-              "Time/Integrator = IDA does not know inertia; choose backward Euler or Deformation = equilibrium");
+              "Time/Integrator = IDA does not know two-way coupling; choose backward Euler or Coupling = "
+              "expansion");
+      require(
+        !ida || scene.effects.deformation != Effects::Deformation::inertia,
+        "Time/Integrator = IDA does not know inertia; choose backward Euler or Deformation = equilibrium");
       require(scene.effects.coupling != Effects::Coupling::two_way || !scene.elastic_properties_change(),
               "Effects/Coupling = two-way needs elastic properties that do not depend on temperature and "
               "`Thermal stretch = linearised`");
-      require(scene.numerics.degree == 1 || scene.numerics.capacity_matrix == Numerics::CapacityMatrix::consistent,
+      require(scene.numerics.degree == 1 ||
+                scene.numerics.capacity_matrix == Numerics::CapacityMatrix::consistent,
               "Numerics/Capacity matrix = lumped is for Element degree = 1 only");
       for (unsigned int d = 0; d < scene.dimension; ++d)
         require(scene.mesh.lower[d] < scene.mesh.upper[d],
@@ -279,12 +296,14 @@ namespace Cautery
       check_numerics(scene);
       for (const double time : scene.output.times)
         require(time <= scene.time.end,
-                "Output/Times: " + to_text(time) + " s is after Time/End = " + to_text(scene.time.end) + " s");
+                "Output/Times: " + to_text(time) + " s is after Time/End = " + to_text(scene.time.end) +
+                  " s");
     }
 
     std::string resolved(const std::string &path, const std::string &scene_file)
     {
-      return std::filesystem::weakly_canonical(std::filesystem::absolute(scene_file).parent_path() / path).string();
+      return std::filesystem::weakly_canonical(std::filesystem::absolute(scene_file).parent_path() / path)
+        .string();
     }
 
     std::string written(const ParameterHandler &handler, const ParameterHandler::OutputStyle style)
@@ -315,9 +334,8 @@ namespace Cautery
         Parameters reading(handler, Parameters::Mode::read);
         scene_parameters(scene, reading);
         check(scene);
-        scene.complete_text = written(handler,
-                                      ParameterHandler::PRM | ParameterHandler::Short |
-                                        ParameterHandler::KeepDeclarationOrder);
+        scene.complete_text = written(
+          handler, ParameterHandler::PRM | ParameterHandler::Short | ParameterHandler::KeepDeclarationOrder);
         return scene;
       }
     catch (const ExcInput &exception)
@@ -325,8 +343,8 @@ namespace Cautery
         std::ostringstream reason;
         exception.print_info(reason);
         const std::string message = Utilities::trim(reason.str());
-        const bool        named   = message.find(file_name) == 0 || message.find("the scene") == 0 ||
-                           message.find("--set") == 0;
+        const bool        named =
+          message.find(file_name) == 0 || message.find("the scene") == 0 || message.find("--set") == 0;
         AssertThrow(false, ExcInput(named ? message : file_name + ": " + message));
       }
     return {};

@@ -15,22 +15,21 @@ namespace Cautery
     };
 
     /// The members' defaults are the first preset.
-    const std::vector<Preset> presets = {
-      {"thesis type I", [](Tissue &) {}}, // Tables 2 and 3
-      {"thesis type II", // Table 3
-       [](Tissue &tissue) {
-         tissue.elastic.youngs_modulus = 120e6;
-         tissue.elastic.poissons_ratio = 0.49;
-       }},
-      {"porcine liver", // Table 9
-       [](Tissue &tissue) {
-         tissue.thermal.conductivity            = 0.465;
-         tissue.thermal.specific_heat           = 3628.;
-         tissue.thermal.density                 = 1050.;
-         tissue.thermal.relaxation_time         = 12.;
-         tissue.perfusion.rate                  = 0.; // ex vivo
-         tissue.expansion.reference_temperature = 293.;
-       }}};
+    const std::vector<Preset> presets = {{"thesis type I", [](Tissue &) {}}, // Tables 2 and 3
+                                         {"thesis type II",                  // Table 3
+                                          [](Tissue &tissue) {
+                                            tissue.elastic.youngs_modulus = 120e6;
+                                            tissue.elastic.poissons_ratio = 0.49;
+                                          }},
+                                         {"porcine liver", // Table 9
+                                          [](Tissue &tissue) {
+                                            tissue.thermal.conductivity            = 0.465;
+                                            tissue.thermal.specific_heat           = 3628.;
+                                            tissue.thermal.density                 = 1050.;
+                                            tissue.thermal.relaxation_time         = 12.;
+                                            tissue.perfusion.rate                  = 0.; // ex vivo
+                                            tissue.expansion.reference_temperature = 293.;
+                                          }}};
   } // namespace
 
   std::vector<std::string> tissue_presets()
@@ -45,8 +44,9 @@ namespace Cautery
   {
     const auto preset =
       std::find_if(presets.begin(), presets.end(), [&name](const Preset &p) { return p.name == name; });
-    AssertThrow(preset != presets.end(),
-                ExcInput("there is no tissue preset `" + name + "`; choose one of: " + join(tissue_presets())));
+    AssertThrow(
+      preset != presets.end(),
+      ExcInput("there is no tissue preset `" + name + "`; choose one of: " + join(tissue_presets())));
     Tissue tissue;
     preset->apply(tissue);
     return tissue;
@@ -54,7 +54,8 @@ namespace Cautery
 
   void Tissue::parameters(Parameters &p)
   {
-    p.entry("Regions", regions, "Regions of the mesh, by number or name, that consist of it; `all` for every one");
+    p.entry(
+      "Regions", regions, "Regions of the mesh, by number or name, that consist of it; `all` for every one");
     thermal.parameters(p);
     perfusion.parameters(p);
     metabolism.parameters(p);

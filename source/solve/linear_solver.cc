@@ -18,7 +18,8 @@ namespace Cautery
     using Method = LinearSolverSettings::Method;
 
     /// By size: measured on the chapter 4 cube, see doc/performance.md.
-    Method choose(const Method asked, const types::global_dof_index n_unknowns, const unsigned int n_components)
+    Method
+    choose(const Method asked, const types::global_dof_index n_unknowns, const unsigned int n_components)
     {
       if (asked != Method::automatic)
         return asked;
@@ -33,11 +34,11 @@ namespace Cautery
   /// A factorisation, or a preconditioner for conjugate gradients.
   struct LinearSolver::Engine
   {
-    Method                                             method;
-    SolverControl                                      control;
-    std::unique_ptr<TrilinosWrappers::SolverDirect>    factorisation;
+    Method                                              method;
+    SolverControl                                       control;
+    std::unique_ptr<TrilinosWrappers::SolverDirect>     factorisation;
     std::unique_ptr<TrilinosWrappers::PreconditionBase> preconditioner;
-    std::vector<double>                                mode_values; ///< of multigrid, which keeps a pointer to them
+    std::vector<double> mode_values; ///< of multigrid, which keeps a pointer to them
   };
 
   LinearSolver::LinearSolver(const LinearSolverSettings &settings,
@@ -47,7 +48,8 @@ namespace Cautery
     , n_components(n_components)
     , near_null_space(std::move(near_null_space))
     , guess(settings.guesses)
-  {}
+  {
+  }
 
   LinearSolver::~LinearSolver() = default;
 
@@ -67,7 +69,8 @@ namespace Cautery
 
   namespace
   {
-    std::unique_ptr<TrilinosWrappers::SolverDirect> factorise(const SparseMatrix &matrix, SolverControl &control)
+    std::unique_ptr<TrilinosWrappers::SolverDirect> factorise(const SparseMatrix &matrix,
+                                                              SolverControl      &control)
     {
       auto solver = std::make_unique<TrilinosWrappers::SolverDirect>(
         control, TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Klu"));
@@ -75,8 +78,10 @@ namespace Cautery
       return solver;
     }
 
-    std::unique_ptr<TrilinosWrappers::PreconditionBase>
-    multigrid(const SparseMatrix &matrix, const unsigned int n_components, const std::vector<Vector> &modes, std::vector<double> &values)
+    std::unique_ptr<TrilinosWrappers::PreconditionBase> multigrid(const SparseMatrix        &matrix,
+                                                                  const unsigned int         n_components,
+                                                                  const std::vector<Vector> &modes,
+                                                                  std::vector<double>       &values)
     {
       for (const auto &mode : modes)
         values.insert(values.end(), mode.begin(), mode.end());
@@ -132,8 +137,9 @@ namespace Cautery
 
   unsigned int LinearSolver::solve_to(Vector &x, const Vector &b, const double goal)
   {
-    AssertThrow(std::isfinite(b.l2_norm()),
-                ExcRun("a right-hand side is not finite: the solution has blown up; take a smaller Time/Step"));
+    AssertThrow(
+      std::isfinite(b.l2_norm()),
+      ExcRun("a right-hand side is not finite: the solution has blown up; take a smaller Time/Step"));
     if (!engine)
       set_up();
     residual = b;
@@ -158,7 +164,8 @@ namespace Cautery
                         ExcRun(description() + " did not converge in " + std::to_string(failure.last_step) +
                                " iterations (residual " + to_text(failure.last_residual) + ", asked " +
                                to_text(goal) +
-                               "); choose Method = direct or CG + AMG, or a larger Tolerance in the solver's section of Numerics"));
+                               "); choose Method = direct or CG + AMG, or a larger Tolerance in the solver's "
+                               "section of Numerics"));
           }
         iterations = control.last_step();
       }

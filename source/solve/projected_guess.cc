@@ -23,7 +23,10 @@ namespace Cautery
     }
 
     /// result += sum of factor_j column_j
-    void combine(const std::vector<double> &columns, const std::vector<double> &factors, double *result, const std::size_t n)
+    void combine(const std::vector<double> &columns,
+                 const std::vector<double> &factors,
+                 double                    *result,
+                 const std::size_t          n)
     {
       for (unsigned int j = 0; j < factors.size(); ++j)
         {
@@ -97,7 +100,10 @@ namespace Cautery
     return true;
   }
 
-  void ProjectedGuess::learn(const Vector &x, const Vector &image_of_x, const Vector &correction, const Vector &image)
+  void ProjectedGuess::learn(const Vector &x,
+                             const Vector &image_of_x,
+                             const Vector &correction,
+                             const Vector &image)
   {
     if (capacity == 0)
       return;

@@ -15,16 +15,16 @@ namespace Cautery
     }
 
     /**
-     * Gives every id of the mesh one of the @p items, of which each names its ids by texts; `remaining` stands for what
-     * no other item names.
+     * Gives every id of the mesh one of the @p items, of which each names its ids by texts; `remaining`
+     * stands for what no other item names.
      */
     template <typename Item, typename Id, typename ToIds>
-    std::map<Id, unsigned int> assign(const std::vector<Item>                 &items,
-                                      std::vector<std::string> Item::*const    texts,
-                                      const std::map<Id, std::string>         &names,
-                                      const ToIds                             &to_ids,
-                                      const std::string                       &section,
-                                      const std::string                       &kind)
+    std::map<Id, unsigned int> assign(const std::vector<Item> &items,
+                                      std::vector<std::string> Item::*const texts,
+                                      const std::map<Id, std::string>      &names,
+                                      const ToIds                          &to_ids,
+                                      const std::string                    &section,
+                                      const std::string                    &kind)
     {
       std::map<Id, unsigned int> assigned;
       const auto                 give = [&](const Id id, const unsigned int i) {
@@ -61,7 +61,8 @@ namespace Cautery
         [&mesh](const auto &texts) { return mesh.region_ids(texts); },
         "Tissues",
         "region"))
-  {}
+  {
+  }
 
   template <int dim>
   BoundaryMap<dim>::BoundaryMap(const Mesh<dim> &mesh, const std::vector<Boundary> &boundaries)
@@ -73,7 +74,8 @@ namespace Cautery
         [&mesh](const auto &texts) { return mesh.surface_ids(texts); },
         "Boundaries",
         "surface"))
-  {}
+  {
+  }
 
   template <int dim>
   std::set<types::boundary_id> BoundaryMap<dim>::surfaces(const unsigned int index) const

@@ -148,9 +148,9 @@ namespace Cautery
     for_each_index<dim>(n_vertices, [&](const auto &index) {
       Point<dim> place;
       for (unsigned int d = 0; d < dim; ++d)
-        place[d] = (index[d] == counts[d]
-                      ? settings.upper[d]
-                      : settings.lower[d] + index[d] * (settings.upper[d] - settings.lower[d]) / counts[d]);
+        place[d] = (index[d] == counts[d] ?
+                      settings.upper[d] :
+                      settings.lower[d] + index[d] * (settings.upper[d] - settings.lower[d]) / counts[d]);
       mesh.vertices.push_back(place);
     });
 

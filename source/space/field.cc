@@ -29,7 +29,8 @@ namespace Cautery
     template <int dim>
     Quadrature<dim> gauss(const Mesh<dim> &mesh, const unsigned int degree)
     {
-      // n points integrate polynomials of degree 2n-1, so n = degree+1 does for products; QGaussSimplex ends at n = 4
+      // n points integrate polynomials of degree 2n-1, so n = degree+1 does for products; QGaussSimplex ends
+      // at n = 4
       if (mesh.simplices())
         return QGaussSimplex<dim>(degree + 1);
       return QGauss<dim>(degree + 1);
@@ -45,9 +46,7 @@ namespace Cautery
   } // namespace
 
   template <int dim>
-  Field<dim>::Field(const Mesh<dim> &mesh, const unsigned int degree)
-    : body(mesh)
-    , dofs(mesh.triangulation())
+  Field<dim>::Field(const Mesh<dim> &mesh, const unsigned int degree) : body(mesh), dofs(mesh.triangulation())
   {
     dofs.distribute_dofs(*scalar_element(mesh, degree));
     DoFRenumbering::Cuthill_McKee(dofs, true);
@@ -56,8 +55,7 @@ namespace Cautery
 
   template <int dim>
   Field<dim>::Field(const Field<dim> &scalar, const unsigned int n_components)
-    : body(scalar.mesh())
-    , dofs(body.triangulation())
+    : body(scalar.mesh()), dofs(body.triangulation())
   {
     dofs.distribute_dofs(FESystem<dim>(scalar.element(), n_components));
     follow(scalar.dof_handler());
@@ -76,8 +74,8 @@ namespace Cautery
   template <int dim>
   void Field<dim>::follow(const DoFHandler<dim> &nodes)
   {
-    const FiniteElement<dim>            &fe    = dofs.get_fe();
-    const IndexSet                      &mine  = dofs.locally_owned_dofs();
+    const FiniteElement<dim>            &fe   = dofs.get_fe();
+    const IndexSet                      &mine = dofs.locally_owned_dofs();
     std::vector<types::global_dof_index> numbers(mine.n_elements(), numbers::invalid_dof_index);
     std::vector<types::global_dof_index> of_cell(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> of_nodes(nodes.get_fe().n_dofs_per_cell());
@@ -92,7 +90,7 @@ namespace Cautery
             for (unsigned int i = 0; i < of_cell.size(); ++i)
               if (mine.is_element(of_cell[i]))
                 {
-                  const auto [component, node] = fe.system_to_component_index(i);
+                  const auto [component, node]               = fe.system_to_component_index(i);
                   numbers[mine.index_within_set(of_cell[i])] = fe.n_components() * of_nodes[node] + component;
                 }
           }
@@ -104,7 +102,8 @@ namespace Cautery
   template <int dim>
   void Field<dim>::find_face_shapes()
   {
-    // The shape functions of Lagrange elements on a face do not depend on the cell's form: any cell will do, as a pattern.
+    // The shape functions of Lagrange elements on a face do not depend on the cell's form: any cell will do,
+    // as a pattern.
     const FiniteElement<dim> &fe       = element();
     const ReferenceCell       kind     = body.reference_cell();
     const Quadrature<dim>     on_faces = QProjector<dim>::project_to_all_faces(kind, faces);

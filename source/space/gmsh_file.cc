@@ -96,10 +96,7 @@ namespace Cautery
       }
   }
 
-  GmshFile::~GmshFile()
-  {
-    gmsh::finalize();
-  }
+  GmshFile::~GmshFile() { gmsh::finalize(); }
 
   void GmshFile::open(const std::string &file_name) const
   {

@@ -31,11 +31,12 @@ namespace Cautery
     }
 
     /**
-     * Where the part of a process ends, faces of ghost cells look like the body's surface, of number 0. They get a number
-     * that no surface has.
+     * Where the part of a process ends, faces of ghost cells look like the body's surface, of number 0. They
+     * get a number that no surface has.
      */
     template <int dim>
-    void mark_ends_of_part(const TriangulationDescription::Description<dim, dim> &part, Triangulation<dim> &cells)
+    void mark_ends_of_part(const TriangulationDescription::Description<dim, dim> &part,
+                           Triangulation<dim>                                    &cells)
     {
       for (const auto &level : part.cell_infos)
         for (const auto &info : level)

@@ -70,8 +70,8 @@ namespace Cautery
   }
 
   template <int dim>
-  std::optional<typename PointLocator<dim>::Location> PointLocator<dim>::find_among_own(
-    const Point<dim> &place) const
+  std::optional<typename PointLocator<dim>::Location>
+  PointLocator<dim>::find_among_own(const Point<dim> &place) const
   {
     namespace bgi = boost::geometry::index;
     std::optional<Location> found;
@@ -86,8 +86,8 @@ namespace Cautery
   }
 
   template <int dim>
-  std::vector<typename PointLocator<dim>::Result> PointLocator<dim>::find(
-    const std::vector<Point<dim>> &places) const
+  std::vector<typename PointLocator<dim>::Result>
+  PointLocator<dim>::find(const std::vector<Point<dim>> &places) const
   {
     constexpr Number    none = std::numeric_limits<Number>::max();
     std::vector<Result> results(places.size());
@@ -109,8 +109,8 @@ namespace Cautery
   }
 
   template <int dim>
-  std::vector<std::optional<typename PointLocator<dim>::Location>> PointLocator<dim>::find_inside(
-    const std::vector<Point<dim>> &places, const std::string &name) const
+  std::vector<std::optional<typename PointLocator<dim>::Location>>
+  PointLocator<dim>::find_inside(const std::vector<Point<dim>> &places, const std::string &name) const
   {
     const auto                           results = find(places);
     std::vector<std::optional<Location>> locations;

@@ -14,8 +14,10 @@ namespace Cautery
     : equation(balance)
     , numerics(numerics)
     , cost(cost)
-    , solver(balance.solver_settings(), balance.n_components(), [&balance]() { return balance.near_null_space(); })
-  {}
+    , solver(
+        balance.solver_settings(), balance.n_components(), [&balance]() { return balance.near_null_space(); })
+  {
+  }
 
   bool BackwardEulerBalance::prepare(const double length)
   {
@@ -93,8 +95,8 @@ namespace Cautery
     prescribed_met = !equation.prescription_changes();
   }
 
-  void BackwardEulerBalance::repeat_until_settled(const Step                    &step,
-                                                  const State                   &state,
+  void BackwardEulerBalance::repeat_until_settled(const Step                      &step,
+                                                  const State                     &state,
                                                   const std::function<Vector &()> &solve)
   {
     if (!equation.changes())
@@ -111,8 +113,9 @@ namespace Cautery
       {
         AssertThrow(i < numerics.max_iterations,
                     ExcRun("the iteration for " + name() + " did not converge in " +
-                           std::to_string(numerics.max_iterations) + " rounds in the step to t = " +
-                           to_text(step.to) + " s (last change " + to_text(change) + "); take a smaller Time/Step"));
+                           std::to_string(numerics.max_iterations) +
+                           " rounds in the step to t = " + to_text(step.to) + " s (last change " +
+                           to_text(change) + "); take a smaller Time/Step"));
         {
           const auto scope = cost.measure(name() + ": assembly");
           if (equation.refresh(state, iterate))

@@ -26,7 +26,8 @@ namespace Cautery
     , deformation_solver(deformation_balance.solver_settings(),
                          deformation_balance.n_components(),
                          [&deformation_balance]() { return deformation_balance.near_null_space(); })
-  {}
+  {
+  }
 
   namespace
   {
@@ -141,7 +142,8 @@ namespace Cautery
   {
     const auto                  scope = cost.measure("coupling: solve");
     const CoupledMatrix<dim>    matrix{heat, deformation, cooling, expansion, length};
-    const OneAfterTheOther<dim> preconditioner{heat_solver, deformation_solver, heat, deformation, expansion, length};
+    const OneAfterTheOther<dim> preconditioner{
+      heat_solver, deformation_solver, heat, deformation, expansion, length};
 
     largest_right_hand_side = std::max(largest_right_hand_side, right_hand_side.l2_norm());
     SolverControl             control(numerics.heat_solver.max_iterations,
@@ -153,9 +155,10 @@ namespace Cautery
       }
     catch (const SolverControl::NoConvergence &)
       {
-        AssertThrow(false,
-                    ExcRun("heat and deformation together did not converge in the step to t = " + to_text(step.to) +
-                           " s; take a smaller Time/Step, or Effects/Coupling = expansion"));
+        AssertThrow(
+          false,
+          ExcRun("heat and deformation together did not converge in the step to t = " + to_text(step.to) +
+                 " s; take a smaller Time/Step, or Effects/Coupling = expansion"));
       }
     n_iterations += control.last_step();
   }

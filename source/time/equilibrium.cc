@@ -4,10 +4,11 @@
 namespace Cautery
 {
   Equilibrium::Equilibrium(Balance &balance, Cost &cost)
-    : equation(balance)
-    , cost(cost)
-    , solver(balance.solver_settings(), balance.n_components(), [&balance]() { return balance.near_null_space(); })
-  {}
+    : equation(balance), cost(cost), solver(balance.solver_settings(), balance.n_components(), [&balance]() {
+      return balance.near_null_space();
+    })
+  {
+  }
 
   void Equilibrium::solve(State &state)
   {

@@ -52,8 +52,9 @@ namespace Cautery
     derivative = 0.;
     if (!heat.prescription_changes())
       return;
-    // From the right: before t = 0 an expression need not have a value. The distance is long because IDA's choice of steps
-    // must not hang on rounding, which differs with the number of processes and is divided by it.
+    // From the right: before t = 0 an expression need not have a value. The distance is long because IDA's
+    // choice of steps must not hang on rounding, which differs with the number of processes and is divided by
+    // it.
     const double distance = 1e-4 * settings.end;
     Vector       values(derivative);
     for (unsigned int i = 0; i < weights.size(); ++i)
@@ -127,7 +128,8 @@ namespace Cautery
   }
 
   template <int dim>
-  void IdaHeat<dim>::setup_jacobian(const double, const BlockVector &, const BlockVector &, const double new_alpha)
+  void
+  IdaHeat<dim>::setup_jacobian(const double, const BlockVector &, const BlockVector &, const double new_alpha)
   {
     alpha = new_alpha;
     system.copy_from(heat.stiffness().reduced);
@@ -273,10 +275,11 @@ namespace Cautery
   std::map<std::string, double> IdaHeat<dim>::statistics() const
   {
     const auto &counts = ida.statistics();
-    return {{"linear_iterations_heat", static_cast<double>(n_iterations)},
-            {"residual_evaluations", static_cast<double>(counts.residual_evaluations)},
-            {"jacobian_set_ups", static_cast<double>(counts.jacobian_set_ups)},
-            {"repeated_steps", static_cast<double>(counts.error_test_failures + counts.convergence_failures)}};
+    return {
+      {"linear_iterations_heat", static_cast<double>(n_iterations)},
+      {"residual_evaluations", static_cast<double>(counts.residual_evaluations)},
+      {"jacobian_set_ups", static_cast<double>(counts.jacobian_set_ups)},
+      {"repeated_steps", static_cast<double>(counts.error_test_failures + counts.convergence_failures)}};
   }
 
   template class IdaHeat<2>;

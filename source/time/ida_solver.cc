@@ -50,23 +50,22 @@ namespace Cautery
     {
       switch (flag)
         {
-          case IDA_TOO_MUCH_ACC:
-            return "The tolerances are below rounding errors: raise them.";
-          case IDA_ERR_FAIL:
-            return "The error stays too large however small the step. Does something jump here? Restart there, or "
-                   "raise the tolerances.";
-          case IDA_CONV_FAIL:
-            return "Newton's iteration fails however small the step. Look for properties that change abruptly.";
-          case IDA_REP_RES_ERR:
-            return "The residual is not finite however small the step. Look for properties or sources that are "
-                   "undefined at the solution reached.";
-          default:
-            return "";
+        case IDA_TOO_MUCH_ACC:
+          return "The tolerances are below rounding errors: raise them.";
+        case IDA_ERR_FAIL:
+          return "The error stays too large however small the step. Does something jump here? Restart there, "
+                 "or "
+                 "raise the tolerances.";
+        case IDA_CONV_FAIL:
+          return "Newton's iteration fails however small the step. Look for properties that change abruptly.";
+        case IDA_REP_RES_ERR:
+          return "The residual is not finite however small the step. Look for properties or sources that are "
+                 "undefined at the solution reached.";
+        default:
+          return "";
         }
     }
   } // namespace
-
-
 
   /**
    * The handles of the C interface, in the order in which they depend on each other.
@@ -78,9 +77,7 @@ namespace Cautery
    */
   struct IdaSolver::Memory
   {
-    explicit Memory(const BlockVector &y)
-      : communicator(y.block(0).get_mpi_communicator())
-      , layout(y)
+    explicit Memory(const BlockVector &y) : communicator(y.block(0).get_mpi_communicator()), layout(y)
     {
       SUNContext new_context = nullptr;
       AssertThrow(SUNContext_Create(&communicator, &new_context) == 0, ExcRun("SUNDIALS cannot start."));
@@ -99,8 +96,6 @@ namespace Cautery
     std::unique_ptr<void, Release>                     ida;
   };
 
-
-
   /**
    * What IDA calls: no exception may leave these. They return zero, or a positive number for a failure that a
    * smaller step may cure, or a negative one.
@@ -114,10 +109,8 @@ namespace Cautery
       auto &values = *unwrap_nvector<BlockVector>(result);
       return self.guard(
         [&]() {
-          self.system.residual(time,
-                               *unwrap_nvector_const<BlockVector>(y),
-                               *unwrap_nvector_const<BlockVector>(y_dot),
-                               values);
+          self.system.residual(
+            time, *unwrap_nvector_const<BlockVector>(y), *unwrap_nvector_const<BlockVector>(y_dot), values);
         },
         &values);
     }
@@ -136,10 +129,8 @@ namespace Cautery
       auto &self = *static_cast<IdaSolver *>(solver);
       ++self.total.jacobian_set_ups;
       return self.guard([&]() {
-        self.system.setup_jacobian(time,
-                                   *unwrap_nvector_const<BlockVector>(y),
-                                   *unwrap_nvector_const<BlockVector>(y_dot),
-                                   alpha);
+        self.system.setup_jacobian(
+          time, *unwrap_nvector_const<BlockVector>(y), *unwrap_nvector_const<BlockVector>(y_dot), alpha);
       });
     }
 
@@ -151,9 +142,8 @@ namespace Cautery
       auto     &solution = *unwrap_nvector<BlockVector>(x);
       const int outcome  = self.guard(
         [&]() {
-          self.system.solve_jacobian(*unwrap_nvector_const<BlockVector>(right_hand_side),
-                                     solution,
-                                     linear_tolerance);
+          self.system.solve_jacobian(
+            *unwrap_nvector_const<BlockVector>(right_hand_side), solution, linear_tolerance);
         },
         &solution);
       // IDA takes any number that it does not know for a success
@@ -176,8 +166,6 @@ namespace Cautery
     static int                  clear_matrix(SUNMatrix) { return 0; }
   };
 
-
-
   IdaSolver::IdaSolver(ImplicitSystem            &system,
                        const double               relative_tolerance,
                        const std::vector<double> &absolute_tolerances,
@@ -188,15 +176,12 @@ namespace Cautery
     , max_steps(max_steps)
   {
     Assert(relative_tolerance >= 0., ExcMessage("The relative tolerance must not be negative."));
-    Assert(std::all_of(absolute_tolerances.begin(),
-                       absolute_tolerances.end(),
-                       [](double a) { return a > 0.; }),
-           ExcMessage("Absolute tolerances must be positive: a value may be zero."));
+    Assert(
+      std::all_of(absolute_tolerances.begin(), absolute_tolerances.end(), [](double a) { return a > 0.; }),
+      ExcMessage("Absolute tolerances must be positive: a value may be zero."));
   }
 
   IdaSolver::~IdaSolver() = default;
-
-
 
   void IdaSolver::restart(const double       time,
                           const BlockVector &y,
@@ -235,8 +220,6 @@ namespace Cautery
     check(IDASetInitStep(ida, initial_step), "IDASetInitStep");
   }
 
-
-
   double IdaSolver::step(BlockVector &y, BlockVector &y_dot, const double stop_time)
   {
     Assert(memory, ExcMessage("restart() comes first."));
@@ -260,8 +243,6 @@ namespace Cautery
     return current_time;
   }
 
-
-
   void IdaSolver::interpolate(const double time, BlockVector &y, BlockVector &y_dot) const
   {
     Assert(memory, ExcMessage("restart() comes first."));
@@ -269,8 +250,6 @@ namespace Cautery
     check(IDAGetDky(memory->ida.get(), time, 1, make_nvector_view(y_dot, memory->context.get())),
           "IDAGetDky");
   }
-
-
 
   double IdaSolver::estimated_error() const
   {
@@ -285,8 +264,6 @@ namespace Cautery
     return error.l2_norm() / std::sqrt(error.size());
   }
 
-
-
   void IdaSolver::check(const int flag, const std::string &function) const
   {
     if (flag >= 0)
@@ -298,8 +275,6 @@ namespace Cautery
                  std::to_string(total.steps) + " of " + to_text(total.last_step) + " s: " + name + ". " +
                  message + " " + remedy(flag));
   }
-
-
 
   int IdaSolver::guard(const std::function<void()> &callback, const BlockVector *result)
   {
@@ -329,8 +304,6 @@ namespace Cautery
     return outcome == success ? 0 : outcome == not_finite ? 1 : -1;
   }
 
-
-
   void IdaSolver::set_weights(const BlockVector &y, BlockVector &weights) const
   {
     for (unsigned int b = 0; b < y.n_blocks(); ++b)
@@ -338,8 +311,6 @@ namespace Cautery
         return 1. / (relative_tolerance * std::fabs(value) + absolute_tolerances[b]);
       });
   }
-
-
 
   void IdaSolver::update_statistics()
   {

@@ -134,8 +134,7 @@ namespace Cautery::Test
   public:
     static constexpr unsigned int size = 199;
 
-    Bar()
-      : mode(owned(size), communicator)
+    Bar() : mode(owned(size), communicator)
     {
       DynamicSparsityPattern pattern(size);
       for (unsigned int i = 0; i < size; ++i)
@@ -421,9 +420,9 @@ namespace Cautery::Test
       }
     out << "  last good state kept: "
         << (largest_difference(y, decay.exact(time)) < 1e-4 &&
-                largest_difference(y_dot, decay.exact_rate(time)) < 1e-3
-              ? "yes"
-              : "NO")
+                largest_difference(y_dot, decay.exact_rate(time)) < 1e-3 ?
+              "yes" :
+              "NO")
         << std::endl;
   }
 

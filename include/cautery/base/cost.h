@@ -11,8 +11,8 @@ namespace Cautery
   using namespace dealii;
 
   /**
-   * The ledger of wall time: parts named "effect: work" ("heat: solve", "output: fields"), which never nest, so that
-   * they add up to the run's time.
+   * The ledger of wall time: parts named "effect: work" ("heat: solve", "output: fields"), which never nest,
+   * so that they add up to the run's time.
    */
   class Cost
   {
@@ -24,9 +24,9 @@ namespace Cautery
 
     std::map<std::string, double> seconds_by_part() const; ///< s
     /** Parts summed over what stands before the colon. */
-    std::map<std::string, double> seconds_by_effect() const;  ///< s
-    double                        wall_seconds() const;       ///< since construction, s
-    static double                 peak_memory();              ///< of this process, bytes
+    std::map<std::string, double> seconds_by_effect() const; ///< s
+    double                        wall_seconds() const;      ///< since construction, s
+    static double                 peak_memory();             ///< of this process, bytes
 
   private:
     mutable TimerOutput timer;

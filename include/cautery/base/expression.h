@@ -33,7 +33,7 @@ namespace Cautery
     /** The value at @p place (m; z = 0 in two dimensions) and @p time (s). */
     double value(const Point<3> &place, const double time) const;
 
-    bool               is_constant() const { return constant.has_value(); }
+    bool is_constant() const { return constant.has_value(); }
     /** Does the value change in time? Found by looking for the variable t in the parsed expression. */
     bool               depends_on_time() const { return uses_time; }
     const std::string &text() const { return source; }
@@ -52,9 +52,7 @@ namespace Cautery
   {
   public:
     VectorExpression() = default;
-    explicit VectorExpression(const std::array<Expression, 3> &components)
-      : components(components)
-    {}
+    explicit VectorExpression(const std::array<Expression, 3> &components) : components(components) {}
 
     Tensor<1, 3>      value(const Point<3> &place, const double time) const;
     bool              depends_on_time() const;
@@ -77,7 +75,8 @@ namespace Cautery
 
     double value(const double temperature) const;
 
-    /** The integral from @p from to @p to (K): exact for numbers and tables, Gauss quadrature for expressions. */
+    /** The integral from @p from to @p to (K): exact for numbers and tables, Gauss quadrature for
+     * expressions. */
     double integral(const double from, const double to) const;
 
     bool               is_constant() const { return constant.has_value(); }

@@ -16,8 +16,8 @@ namespace Cautery
   using namespace dealii;
 
   /**
-   * The user's input is wrong: the program ends with exit status 2. The message names the parameter, the value
-   * and the remedy.
+   * The user's input is wrong: the program ends with exit status 2. The message names the parameter, the
+   * value and the remedy.
    */
   DeclException1(ExcInput, std::string, << arg1);
 
@@ -53,8 +53,9 @@ namespace Cautery
   using Choices = std::vector<std::pair<std::string, Enum>>;
 
   /**
-   * One text for each parameter: the same call declares an entry (its present value is the default) and, once the
-   * input has been parsed, reads it. A struct lists its entries in one function `void parameters(Parameters &)`.
+   * One text for each parameter: the same call declares an entry (its present value is the default) and, once
+   * the input has been parsed, reads it. A struct lists its entries in one function `void
+   * parameters(Parameters &)`.
    *
    * Every `entry` takes the name, the variable, the unit ("" for none), and the documentation.
    * Errors: ExcInput, naming path, value and bounds.
@@ -97,7 +98,10 @@ namespace Cautery
                const std::string   &documentation,
                const Bounds        &bounds = Bounds::any());
     /** A place: x, y, z; in two dimensions z may be left out. */
-    void entry(const std::string &name, Point<3> &value, const std::string &unit, const std::string &documentation);
+    void entry(const std::string &name,
+               Point<3>          &value,
+               const std::string &unit,
+               const std::string &documentation);
     /** Places, separated by semicolons. */
     void entry(const std::string     &name,
                std::vector<Point<3>> &value,
@@ -115,14 +119,17 @@ namespace Cautery
                const std::string &unit,
                const std::string &documentation);
     /** A function of temperature: constant, table or expression. */
-    void entry(const std::string  &name,
+    void entry(const std::string   &name,
                TemperatureFunction &value,
                const std::string   &unit,
                const std::string   &documentation,
                const Bounds        &bounds = Bounds::any());
 
     template <typename Enum>
-    void entry(const std::string &name, Enum &value, const Choices<Enum> &choices, const std::string &documentation)
+    void entry(const std::string   &name,
+               Enum                &value,
+               const Choices<Enum> &choices,
+               const std::string   &documentation)
     {
       std::vector<std::string> names;
       std::string              text;
@@ -144,12 +151,14 @@ namespace Cautery
     std::string path(const std::string &name) const;
 
     /** Throws ExcInput that says "Section/Entry = value: reason". */
-    [[noreturn]] void reject(const std::string &name, const std::string &value, const std::string &reason) const;
+    [[noreturn]] void
+    reject(const std::string &name, const std::string &value, const std::string &reason) const;
 
   private:
-    void        enter(const std::string &name);
-    void        leave();
-    std::string text(const std::string &name, const std::string &default_value, const std::string &documentation);
+    void enter(const std::string &name);
+    void leave();
+    std::string
+    text(const std::string &name, const std::string &default_value, const std::string &documentation);
     std::string choose(const std::string              &name,
                        const std::string              &default_value,
                        const std::vector<std::string> &names,

@@ -8,8 +8,8 @@
 namespace Cautery
 {
   /**
-   * Heat carried away by blood, C_b omega_b (T_b - T) (Pennes; thesis Eq. 4-18 without its second blood density,
-   * because omega_b is a mass flow already).
+   * Heat carried away by blood, C_b omega_b (T_b - T) (Pennes; thesis Eq. 4-18 without its second blood
+   * density, because omega_b is a mass flow already).
    */
   struct Perfusion
   {
@@ -22,7 +22,8 @@ namespace Cautery
 
     void parameters(Parameters &p)
     {
-      p.entry("Perfusion rate", rate, "kg/(m3 s)", "Mass flow of blood through a volume", Bounds::non_negative());
+      p.entry(
+        "Perfusion rate", rate, "kg/(m3 s)", "Mass flow of blood through a volume", Bounds::non_negative());
       p.entry("Blood specific heat", specific_heat, "J/(kg K)", "Specific heat of blood", Bounds::positive());
       p.entry("Blood temperature", temperature, "K", "Arterial temperature", Bounds::positive());
     }
@@ -33,8 +34,8 @@ namespace Cautery
    */
   struct Metabolism
   {
-    double heat           = 33800.; ///< at the base temperature, W/m3
-    double q10            = 2.;
+    double heat             = 33800.; ///< at the base temperature, W/m3
+    double q10              = 2.;
     double base_temperature = 310.; ///< K
 
     /** W/m3 at @p temperature (K), of the Q10 form. */
@@ -47,8 +48,10 @@ namespace Cautery
 
     void parameters(Parameters &p)
     {
-      p.entry("Metabolic heat", heat, "W/m3", "Metabolic heat (at the base temperature)", Bounds::non_negative());
-      p.entry("Metabolic Q10", q10, "", "Growth of the metabolic heat in 10 K, for `Q10`", Bounds::positive());
+      p.entry(
+        "Metabolic heat", heat, "W/m3", "Metabolic heat (at the base temperature)", Bounds::non_negative());
+      p.entry(
+        "Metabolic Q10", q10, "", "Growth of the metabolic heat in 10 K, for `Q10`", Bounds::positive());
       p.entry("Metabolic base temperature",
               base_temperature,
               "K",

@@ -9,14 +9,15 @@
 namespace Cautery
 {
   /**
-   * Every measure of damage is scaled so that tissue is dead at Omega >= 1, and kept as ln(Omega): Omega itself reaches
-   * 1e72 in the thesis's second tissue. A law gives ln(dOmega/dt), with dOmega/dt in 1/s; -infinity is no damage.
+   * Every measure of damage is scaled so that tissue is dead at Omega >= 1, and kept as ln(Omega): Omega
+   * itself reaches 1e72 in the thesis's second tissue. A law gives ln(dOmega/dt), with dOmega/dt in 1/s;
+   * -infinity is no damage.
    */
   constexpr double no_damage = -std::numeric_limits<double>::infinity();
 
   /**
-   * dOmega/dt = A exp(-(Delta E - V_mol W) / (R T)) (thesis Eq. 2-2 with W = 0; Eqs. 2-3 and 5-7 with the strain energy
-   * density W).
+   * dOmega/dt = A exp(-(Delta E - V_mol W) / (R T)) (thesis Eq. 2-2 with W = 0; Eqs. 2-3 and 5-7 with the
+   * strain energy density W).
    */
   struct Arrhenius
   {
@@ -39,8 +40,8 @@ namespace Cautery
   };
 
   /**
-   * Cumulative equivalent minutes at 43 degrees Celsius, int R^(43 - T) dt (Sapareto and Dewey 1984), over the
-   * lethal dose.
+   * Cumulative equivalent minutes at 43 degrees Celsius, int R^(43 - T) dt (Sapareto and Dewey 1984), over
+   * the lethal dose.
    */
   struct Cem43
   {
@@ -64,7 +65,8 @@ namespace Cautery
   };
 
   /**
-   * Critical thermal load: the heat that has flowed through a point, int |q| dt (thesis Eq. 2-1), over a lethal load.
+   * Critical thermal load: the heat that has flowed through a point, int |q| dt (thesis Eq. 2-1), over a
+   * lethal load.
    */
   struct CriticalThermalLoad
   {
@@ -75,7 +77,8 @@ namespace Cautery
 
     void parameters(Parameters &p)
     {
-      p.entry("Lethal load", lethal_load, "J/m2", "Heat through an area that kills the tissue", Bounds::positive());
+      p.entry(
+        "Lethal load", lethal_load, "J/m2", "Heat through an area that kills the tissue", Bounds::positive());
     }
   };
 
@@ -89,7 +92,8 @@ namespace Cautery
   }
 
   /**
-   * ln of the integral over @p duration (s) of a rate whose logarithm runs in a straight line from @p ln_start to
+   * ln of the integral over @p duration (s) of a rate whose logarithm runs in a straight line from @p
+   * ln_start to
    * @p ln_end: exact for that line, second order for a smooth rate, free of overflow.
    */
   inline double ln_integral(const double ln_start, const double ln_end, const double duration)

@@ -19,7 +19,8 @@ namespace Cautery
 
     /** Is it on just after @p time (s)? */
     bool active(const double time) const;
-    /** The share of the interval [@p from, @p to] (s) in which it is on, 0 to 1: keeps the energy of a switch inside a step. */
+    /** The share of the interval [@p from, @p to] (s) in which it is on, 0 to 1: keeps the energy of a switch
+     * inside a step. */
     double share(const double from, const double to) const;
     /** All switching times, rising (s). */
     std::vector<double> switching_times() const;
@@ -44,7 +45,7 @@ namespace Cautery
    */
   struct UniformSource
   {
-    static constexpr char    type[] = "uniform";
+    static constexpr char    type[]  = "uniform";
     std::vector<std::string> regions = {"all"};
     Expression               power; ///< W/m3, an expression in t
 
@@ -58,9 +59,9 @@ namespace Cautery
   struct GaussianSource
   {
     static constexpr char type[] = "Gaussian";
-    Point<3>              centre;         ///< m
+    Point<3>              centre;          ///< m
     double                radius = 0.5e-3; ///< s, the standard deviation, m
-    Expression            power;          ///< P in W (W/m in two dimensions), an expression in t
+    Expression            power;           ///< P in W (W/m in two dimensions), an expression in t
 
     double density(const Point<3> &place, const unsigned int dimension) const;
     void   parameters(Parameters &p);
@@ -68,8 +69,8 @@ namespace Cautery
 
   /**
    * A microwave antenna (thesis Eq. 6-35):
-   * C_t P [2 rho r + (n - 2)] exp(-2 rho r) / r^n exp(-z^2 / z_0^2) W/mm3 with r and z in mm. Not integrable at r = 0: inside the
-   * antenna's own radius the value at that radius holds.
+   * C_t P [2 rho r + (n - 2)] exp(-2 rho r) / r^n exp(-z^2 / z_0^2) W/mm3 with r and z in mm. Not integrable
+   * at r = 0: inside the antenna's own radius the value at that radius holds.
    */
   struct MicrowaveAntenna
   {
@@ -92,7 +93,7 @@ namespace Cautery
    */
   struct ExpressionSource
   {
-    static constexpr char type[] = "expression";
+    static constexpr char type[]       = "expression";
     Expression            distribution = 1.; ///< W/m3
     Expression            power        = 1.; ///< factor, an expression in t
 

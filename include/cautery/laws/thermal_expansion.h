@@ -10,8 +10,9 @@ namespace Cautery
 {
   /**
    * The thermal part of the multiplicative decomposition, F_theta = s(T) I, for linear elasticity:
-   * exact    S = (lambda tr(E) I + 2 mu E) / s - 3/2 (s - 1/s) K I, s = exp(int alpha dT)  (thesis Eqs. 4-6, 4-9),
-   * linear   S = lambda tr(E) I + 2 mu E - 3 K (int alpha dT) I                             (Eqs. 4-10, 4-11).
+   * exact    S = (lambda tr(E) I + 2 mu E) / s - 3/2 (s - 1/s) K I, s = exp(int alpha dT)  (thesis Eqs. 4-6,
+   * 4-9), linear   S = lambda tr(E) I + 2 mu E - 3 K (int alpha dT) I                             (Eqs. 4-10,
+   * 4-11).
    */
   struct ThermalExpansion
   {
@@ -26,7 +27,10 @@ namespace Cautery
     Form                form                  = Form::linearised;
 
     /** int alpha dT from the stress-free temperature. */
-    double strain(const double temperature) const { return coefficient.integral(reference_temperature, temperature); }
+    double strain(const double temperature) const
+    {
+      return coefficient.integral(reference_temperature, temperature);
+    }
 
     /** What the elastic stress is multiplied with: 1 or 1/s. */
     double stiffness_factor(const double temperature) const
@@ -52,10 +56,11 @@ namespace Cautery
 
     void parameters(Parameters &p)
     {
-      p.entry("Thermal expansion coefficient",
-              coefficient,
-              "1/K",
-              "Linear coefficient of thermal expansion: a number, a table `T: alpha, ...` or an expression in T");
+      p.entry(
+        "Thermal expansion coefficient",
+        coefficient,
+        "1/K",
+        "Linear coefficient of thermal expansion: a number, a table `T: alpha, ...` or an expression in T");
       p.entry("Reference temperature",
               reference_temperature,
               "K",

@@ -6,20 +6,23 @@
 namespace Cautery
 {
   /**
-   * What a tissue does with heat: rho C dT/dt = div(k grad T), with the flux delayed by the characteristic time
-   * tau_p in the non-Fourier model (thesis Eqs. 4-22 and 6-8).
+   * What a tissue does with heat: rho C dT/dt = div(k grad T), with the flux delayed by the characteristic
+   * time tau_p in the non-Fourier model (thesis Eqs. 4-22 and 6-8).
    */
   struct ThermalProperties
   {
-    double              density         = 1000.;  ///< kg/m3
-    TemperatureFunction conductivity    = 0.613;  ///< W/(m K)
-    TemperatureFunction specific_heat   = 4192.;  ///< J/(kg K)
-    double              relaxation_time = 16.;    ///< s
+    double              density         = 1000.; ///< kg/m3
+    TemperatureFunction conductivity    = 0.613; ///< W/(m K)
+    TemperatureFunction specific_heat   = 4192.; ///< J/(kg K)
+    double              relaxation_time = 16.;   ///< s
 
     bool constant() const { return conductivity.is_constant() && specific_heat.is_constant(); }
 
     /** rho C at @p temperature (K), in J/(m3 K). */
-    double heat_capacity(const double temperature) const { return density * specific_heat.value(temperature); }
+    double heat_capacity(const double temperature) const
+    {
+      return density * specific_heat.value(temperature);
+    }
 
     void parameters(Parameters &p)
     {

@@ -9,8 +9,8 @@
 namespace Cautery
 {
   /**
-   * The dead part of the body, Omega >= 1, at the last output time. Every cell is divided into simplices on which
-   * ln(Omega) is linear; their dead parts are exact.
+   * The dead part of the body, Omega >= 1, at the last output time. Every cell is divided into simplices on
+   * which ln(Omega) is linear; their dead parts are exact.
    */
   template <int dim>
   class AblationZone : public Observer<dim>
@@ -21,12 +21,13 @@ namespace Cautery
     std::string name() const override { return "damage: ablation zone"; }
     void        observe(const Snapshot<dim> &snapshot) override;
 
-    double                                      volume() const;                 ///< m^dim
+    double                                      volume() const;                  ///< m^dim
     const std::map<types::material_id, double> &volumes() const { return dead; } ///< of each region, m^dim
-    double                                      radius() const { return largest; } ///< from the centre to the farthest dead point, m
+    double radius() const { return largest; } ///< from the centre to the farthest dead point, m
 
   private:
-    /// The corners of a linear simplex, all of them nodes of the cell: local numbers of their shape functions.
+    /// The corners of a linear simplex, all of them nodes of the cell: local numbers of their shape
+    /// functions.
     using Part = std::vector<unsigned int>;
 
     void add_part(const std::vector<Point<dim>> &corners,

@@ -10,15 +10,14 @@
 namespace Cautery
 {
   /**
-   * solution.pvd and a .vtu file for each output time: what is on, the regions, and the displacement as a vector.
+   * solution.pvd and a .vtu file for each output time: what is on, the regions, and the displacement as a
+   * vector.
    */
   template <int dim>
   class Fields : public Observer<dim>
   {
   public:
-    explicit Fields(const std::string &directory)
-      : directory(directory)
-    {}
+    explicit Fields(const std::string &directory) : directory(directory) {}
 
     std::string name() const override { return "output: fields"; }
     void        observe(const Snapshot<dim> &snapshot) override;

@@ -11,8 +11,8 @@
 namespace Cautery
 {
   /**
-   * probes.csv: a row for every output time and probe, with the quantities that are on, interpolated between the nodes of
-   * the probe's cell.
+   * probes.csv: a row for every output time and probe, with the quantities that are on, interpolated between
+   * the nodes of the probe's cell.
    */
   template <int dim>
   class Probes : public Observer<dim>

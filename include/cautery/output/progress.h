@@ -8,7 +8,8 @@
 namespace Cautery
 {
   /**
-   * What a run says: to standard output and log.txt, on process 0 only. On a terminal one line shows how far it has come.
+   * What a run says: to standard output and log.txt, on process 0 only. On a terminal one line shows how far
+   * it has come.
    */
   class Progress
   {

@@ -17,12 +17,12 @@ namespace Cautery
    */
   struct RunRecord
   {
-    std::string title;
-    std::string status = "running"; ///< "done", "failed"
-    std::string message;
-    Effects     effects;
-    unsigned int dimension = 3; ///< in two dimensions volumes and heat are those of one metre of depth
-    double      end_time = 0.; ///< reached, s
+    std::string  title;
+    std::string  status = "running"; ///< "done", "failed"
+    std::string  message;
+    Effects      effects;
+    unsigned int dimension = 3;  ///< in two dimensions volumes and heat are those of one metre of depth
+    double       end_time  = 0.; ///< reached, s
 
     std::map<std::string, types::global_dof_index> unknowns;
     unsigned int                                   time_steps = 0;
@@ -45,7 +45,7 @@ namespace Cautery
     };
     std::optional<Ablation> ablation;
 
-    double                        wall_seconds = 0.;
+    double                        wall_seconds     = 0.;
     double                        seconds_per_step = 0.; ///< mean over the time loop without output
     std::map<std::string, double> seconds_by_part;
     std::map<std::string, double> seconds_by_effect;

@@ -20,8 +20,8 @@ namespace Cautery
   };
 
   /**
-   * A matrix twice: complete, for products with vectors that hold prescribed values, and with the constrained unknowns
-   * condensed away (rows and columns empty but for a positive diagonal), to be solved with.
+   * A matrix twice: complete, for products with vectors that hold prescribed values, and with the constrained
+   * unknowns condensed away (rows and columns empty but for a positive diagonal), to be solved with.
    */
   struct ConstrainedMatrix
   {
@@ -30,8 +30,8 @@ namespace Cautery
   };
 
   /**
-   * A balance M x'' + C x' + K x = F(t), of heat or of momentum, discretised in space. What time integration needs to
-   * know, and nothing else. A term that is off has no matrix.
+   * A balance M x'' + C x' + K x = F(t), of heat or of momentum, discretised in space. What time integration
+   * needs to know, and nothing else. A term that is off has no matrix.
    */
   class Balance
   {
@@ -55,14 +55,16 @@ namespace Cautery
     /** Do these values change in time? */
     virtual bool prescription_changes() const = 0;
 
-    /** F, averaged over @p step as backward Euler needs it; @p state holds what other balances have reached. */
+    /** F, averaged over @p step as backward Euler needs it; @p state holds what other balances have reached.
+     */
     virtual void load(const Step &step, const State &state, Vector &force) const = 0;
 
     /** Do the matrices depend on the state? */
     virtual bool changes() const = 0;
 
     /**
-     * Assembles anew for a step of the given length from @p state to the iterate @p x. Returns whether the matrices are others than before.
+     * Assembles anew for a step of the given length from @p state to the iterate @p x. Returns whether the
+     * matrices are others than before.
      */
     virtual bool refresh(const State &state, const Vector &x) = 0;
 

@@ -7,8 +7,8 @@
 namespace Cautery
 {
   /**
-   * Linear thermal expansion with constant coefficients: the force int beta (T - T_0) div v on the tissue, beta = 3 K alpha
-   * (thesis Eq. 4-15).
+   * Linear thermal expansion with constant coefficients: the force int beta (T - T_0) div v on the tissue,
+   * beta = 3 K alpha (thesis Eq. 4-15).
    */
   template <int dim>
   class ThermalExpansionOperator
@@ -32,8 +32,8 @@ namespace Cautery
   };
 
   /**
-   * What deformation does to heat: int beta T_0 div(u') N is consumed (thesis Eq. 4-22), in the non-Fourier model also
-   * tau times its rate (Eq. 6-8).
+   * What deformation does to heat: int beta T_0 div(u') N is consumed (thesis Eq. 4-22), in the non-Fourier
+   * model also tau times its rate (Eq. 6-8).
    */
   template <int dim>
   class ThermoelasticFeedback

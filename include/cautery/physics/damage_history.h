@@ -9,8 +9,8 @@
 namespace Cautery
 {
   /**
-   * The history of damage at every node, kept in State::ln_damage. A node where tissues meet follows the one that has
-   * the largest volume there.
+   * The history of damage at every node, kept in State::ln_damage. A node where tissues meet follows the one
+   * that has the largest volume there.
    */
   template <int dim>
   class DamageHistory
@@ -26,7 +26,8 @@ namespace Cautery
     /** Sets "no damage" at the start of a run. */
     void start(State &state);
 
-    /** Adds the damage of the step that has just brought @p state to its time, of the length @p duration (s). */
+    /** Adds the damage of the step that has just brought @p state to its time, of the length @p duration (s).
+     */
     void advance(const double duration, State &state);
 
   private:
@@ -34,13 +35,13 @@ namespace Cautery
     std::vector<double> strain_energies(const State &state) const;
     std::vector<double> heat_fluxes(const State &state) const;
 
-    const Effects::Damage             law;
-    const DamageSettings::Quadrature  quadrature;
-    const Field<dim>                 &nodes;
-    const TissueMap<dim>             &tissues;
-    const NodalGradients<dim>        *gradients;
-    const MechanicalRecovery<dim>    *recovery;
-    std::vector<unsigned int>         node_tissue;
-    std::vector<double>               last_ln_rates;
+    const Effects::Damage            law;
+    const DamageSettings::Quadrature quadrature;
+    const Field<dim>                &nodes;
+    const TissueMap<dim>            &tissues;
+    const NodalGradients<dim>       *gradients;
+    const MechanicalRecovery<dim>   *recovery;
+    std::vector<unsigned int>        node_tissue;
+    std::vector<double>              last_ln_rates;
   };
 } // namespace Cautery

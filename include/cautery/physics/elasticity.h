@@ -12,8 +12,9 @@
 namespace Cautery
 {
   /**
-   * The balance of momentum of a linear thermoelastic body (thesis Eqs. 4-23 to 4-25): M = int rho N N (inertia only),
-   * K from the elastic stress, loads by gravity, tractions, forces at points and thermal expansion.
+   * The balance of momentum of a linear thermoelastic body (thesis Eqs. 4-23 to 4-25): M = int rho N N
+   * (inertia only), K from the elastic stress, loads by gravity, tractions, forces at points and thermal
+   * expansion.
    */
   template <int dim>
   class Elasticity : public Balance

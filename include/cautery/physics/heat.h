@@ -32,13 +32,13 @@ namespace Cautery
 
     const Elimination &elimination() const override { return eliminated; }
     bool               prescription_changes() const override { return prescribed.depends_on_time(); }
-    void prescribe(const double time, Vector &x) const override { prescribed.set(time, x); }
-    void load(const Step &step, const State &state, Vector &force) const override;
-    bool changes() const override
+    void               prescribe(const double time, Vector &x) const override { prescribed.set(time, x); }
+    void               load(const Step &step, const State &state, Vector &force) const override;
+    bool               changes() const override
     {
       return properties_change || perfusion_stops || scene.effects.metabolism == Effects::Metabolism::q10;
     }
-    bool refresh(const State &state, const Vector &x) override;
+    bool                        refresh(const State &state, const Vector &x) override;
     const LinearSolverSettings &solver_settings() const override { return scene.numerics.heat_solver; }
     unsigned int                n_components() const override { return 1; }
     std::vector<Vector>         near_null_space() const override;
@@ -46,15 +46,16 @@ namespace Cautery
     /** F and tau dF/dt at one time, see HeatLoads::add_at. */
     void load_at(const double time, const double within, Vector &force) const;
 
-    HeatLoads<dim>       &loads() { return outside; }
-    const HeatLoads<dim> &loads() const { return outside; }
+    HeatLoads<dim>        &loads() { return outside; }
+    const HeatLoads<dim>  &loads() const { return outside; }
     const Prescribed<dim> &prescribed_temperatures() const { return prescribed; }
     const Field<dim>      &nodes() const { return field; }
     bool                   relaxes() const { return non_fourier; }
 
     /**
-     * What the books of heat need besides. All per node: `blood` and `surface` weights in W/K, sources in W, tau in s;
-     * `capacity` and `exchange` as matrices, of the non-Fourier model only (else they are C and a part of K).
+     * What the books of heat need besides. All per node: `blood` and `surface` weights in W/K, sources in W,
+     * tau in s; `capacity` and `exchange` as matrices, of the non-Fourier model only (else they are C and a
+     * part of K).
      */
     struct Bookkeeping
     {
@@ -78,24 +79,24 @@ namespace Cautery
     void finish();
     bool dead_changed(const State &state);
 
-    const Scene             &scene;
-    const Field<dim>        &field;
-    const TissueMap<dim>    &tissues;
-    const BoundaryMap<dim>  &boundaries;
-    const bool               non_fourier;
-    const bool               properties_change;
-    const bool               perfusion_stops;
-    Prescribed<dim>          prescribed;
+    const Scene              &scene;
+    const Field<dim>         &field;
+    const TissueMap<dim>     &tissues;
+    const BoundaryMap<dim>   &boundaries;
+    const bool                non_fourier;
+    const bool                properties_change;
+    const bool                perfusion_stops;
+    Prescribed<dim>           prescribed;
     AffineConstraints<double> fixed;
-    Elimination              eliminated;
+    Elimination               eliminated;
     AffineConstraints<double> nothing_fixed;
-    HeatLoads<dim>           outside;
-    ConstrainedMatrix        relaxation; ///< M
-    ConstrainedMatrix        storage;    ///< C
-    ConstrainedMatrix        conduction; ///< K
-    Vector                   inside;     ///< int (w T_b + Q_met) N and, where Q_met changes, tau dQ_met/dt; W
-    Bookkeeping              bookkeeping;
-    bool                     assembled = false;
-    unsigned int             n_dead    = 0; ///< nodes
+    HeatLoads<dim>            outside;
+    ConstrainedMatrix         relaxation; ///< M
+    ConstrainedMatrix         storage;    ///< C
+    ConstrainedMatrix         conduction; ///< K
+    Vector                    inside; ///< int (w T_b + Q_met) N and, where Q_met changes, tau dQ_met/dt; W
+    Bookkeeping               bookkeeping;
+    bool                      assembled = false;
+    unsigned int              n_dead    = 0; ///< nodes
   };
 } // namespace Cautery

@@ -24,19 +24,20 @@ namespace Cautery
   };
 
   /**
-   * Keeps the books: integrates over time what each step moved, and takes the heat through surfaces of prescribed
-   * temperature from the balance of their own nodes. With backward Euler they close to the tolerance of the linear solver; with
-   * IDA to the accuracy of its steps.
+   * Keeps the books: integrates over time what each step moved, and takes the heat through surfaces of
+   * prescribed temperature from the balance of their own nodes. With backward Euler they close to the
+   * tolerance of the linear solver; with IDA to the accuracy of its steps.
    *
-   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T, besides the flux that was there at the start: a body
-   * at rest (dT/dt = 0) that makes heat must carry it away, and that flux dies out with tau. Where tau differs between tissues
-   * this holds away from their interfaces only.
+   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T, besides the flux that was there at
+   * the start: a body at rest (dT/dt = 0) that makes heat must carry it away, and that flux dies out with
+   * tau. Where tau differs between tissues this holds away from their interfaces only.
    */
   template <int dim>
   class HeatBalance
   {
   public:
-    /** How temperature is integrated over a step: by its value at the end (backward Euler), or by the mean of both ends. */
+    /** How temperature is integrated over a step: by its value at the end (backward Euler), or by the mean of
+     * both ends. */
     enum class Rule
     {
       end_of_step,
@@ -44,7 +45,10 @@ namespace Cautery
     };
 
     /** @p feedback: of two-way coupling, else nullptr. */
-    HeatBalance(Heat<dim> &heat, const ThermoelasticFeedback<dim> *feedback, const State &start, const Rule rule);
+    HeatBalance(Heat<dim>                        &heat,
+                const ThermoelasticFeedback<dim> *feedback,
+                const State                      &start,
+                const Rule                        rule);
 
     /** Books the step that has just brought the state to @p now. */
     void record(const Step &step, const State &now);
@@ -62,22 +66,22 @@ namespace Cautery
 
     typename HeatLoads<dim>::Received received;
     Vector                            delivered; ///< heat from outside, J per node
-    Vector                            left;      ///< delivered + own - stored - conducted, J per node: what surfaces took
-    double                            stored     = 0.;
-    double                            blood      = 0.;
-    double                            surfaces   = 0.; ///< by convection
-    double                            metabolism = 0.;
-    double                            expansion  = 0.;
-    double                            first      = 0.; ///< by the first flux
+    Vector left; ///< delivered + own - stored - conducted, J per node: what surfaces took
+    double stored     = 0.;
+    double blood      = 0.;
+    double surfaces   = 0.; ///< by convection
+    double metabolism = 0.;
+    double expansion  = 0.;
+    double first      = 0.; ///< by the first flux
 
     // since the last flush
-    double since = 0.;                       ///< time of the last flush, s
-    Vector last_temperature;                 ///< of the last step, K; trapezoid only
-    Vector temperature_then;                 ///< K
-    Vector displacement_then;                ///< m
-    Vector temperature_integral;             ///< int T dt, K s
-    Vector first_flux;                       ///< what is left of the first flux, W per node; non-Fourier only
-    Vector delayed;                          ///< Y, K; non-Fourier only
-    Vector delayed_integral;                 ///< int Y dt
+    double since = 0.;           ///< time of the last flush, s
+    Vector last_temperature;     ///< of the last step, K; trapezoid only
+    Vector temperature_then;     ///< K
+    Vector displacement_then;    ///< m
+    Vector temperature_integral; ///< int T dt, K s
+    Vector first_flux;           ///< what is left of the first flux, W per node; non-Fourier only
+    Vector delayed;              ///< Y, K; non-Fourier only
+    Vector delayed_integral;     ///< int Y dt
   };
 } // namespace Cautery

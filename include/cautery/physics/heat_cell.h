@@ -36,23 +36,23 @@ namespace Cautery
     void lump();
 
     std::vector<types::global_dof_index> dofs;
-    FullMatrix<double>                   capacity;        ///< int rho C N N
-    FullMatrix<double>                   exchange;        ///< int w N N + int h N N
-    FullMatrix<double>                   conduction;      ///< int k grad N grad N
-    dealii::Vector<double>               blood_weights;   ///< int w N
-    dealii::Vector<double>               blood_source;    ///< int w T_b N
-    dealii::Vector<double>               surface_weights; ///< int h N
-    dealii::Vector<double>               metabolism;      ///< int Q_m N
+    FullMatrix<double>                   capacity;          ///< int rho C N N
+    FullMatrix<double>                   exchange;          ///< int w N N + int h N N
+    FullMatrix<double>                   conduction;        ///< int k grad N grad N
+    dealii::Vector<double>               blood_weights;     ///< int w N
+    dealii::Vector<double>               blood_source;      ///< int w T_b N
+    dealii::Vector<double>               surface_weights;   ///< int h N
+    dealii::Vector<double>               metabolism;        ///< int Q_m N
     dealii::Vector<double>               metabolism_growth; ///< its change over the step
 
   private:
     double living_share(const unsigned int q) const;
 
-    const Effects            &effects;
-    FEValues<dim>             values;
-    FEFaceValues<dim>         face_values;
-    std::vector<double>       temperature_before; ///< at the quadrature points, K
-    std::vector<double>       temperature_now;    ///< K
-    std::vector<double>       ln_damage;          ///< at the nodes
+    const Effects      &effects;
+    FEValues<dim>       values;
+    FEFaceValues<dim>   face_values;
+    std::vector<double> temperature_before; ///< at the quadrature points, K
+    std::vector<double> temperature_now;    ///< K
+    std::vector<double> ln_damage;          ///< at the nodes
   };
 } // namespace Cautery

@@ -13,8 +13,9 @@
 namespace Cautery
 {
   /**
-   * The heat that comes from outside the balance: sources, and fluxes through surfaces. In the non-Fourier model the
-   * balance is that of (1 + tau d/dt) of the heat (thesis Eq. 6-8), so every load has a twin weighted with tau.
+   * The heat that comes from outside the balance: sources, and fluxes through surfaces. In the non-Fourier
+   * model the balance is that of (1 + tau d/dt) of the heat (thesis Eq. 6-8), so every load has a twin
+   * weighted with tau.
    */
   template <int dim>
   class HeatLoads
@@ -30,8 +31,8 @@ namespace Cautery
     void add(const Step &step, Vector &force) const;
 
     /**
-     * Adds load and tau-weighted rate of the load at @p time, with those sources on that are on at @p within, a time inside
-     * the interval between two switches.
+     * Adds load and tau-weighted rate of the load at @p time, with those sources on that are on at @p within,
+     * a time inside the interval between two switches.
      */
     void add_at(const double time, const double within, Vector &force) const;
 
@@ -64,26 +65,32 @@ namespace Cautery
       bool              changes = false; ///< does the distribution change in time?
       Vector            load;            ///< W per node for amplitude 1
       Vector            relaxed;         ///< the same times tau, W s; non-Fourier only
-      double            sum         = 0.;
-      double            delay       = 0.; ///< tau where it acts, s
-      double            effective   = 0.; ///< amplitude with which it really acts, at the last recorded time
+      double            sum       = 0.;
+      double            delay     = 0.; ///< tau where it acts, s
+      double            effective = 0.; ///< amplitude with which it really acts, at the last recorded time
     };
 
-    void   add_sources(const Scene &scene, const TissueMap<dim> &tissues, const PointLocator<dim> &locator);
-    void   add_surfaces(const std::vector<Boundary> &list, const TissueMap<dim> &tissues, const BoundaryMap<dim> &map);
-    void   add_item(Item item);
-    Assemble points(const PointSources &source, const std::string &name, const TissueMap<dim> &, const PointLocator<dim> &) const;
+    void     add_sources(const Scene &scene, const TissueMap<dim> &tissues, const PointLocator<dim> &locator);
+    void     add_surfaces(const std::vector<Boundary> &list,
+                          const TissueMap<dim>        &tissues,
+                          const BoundaryMap<dim>      &map);
+    void     add_item(Item item);
+    Assemble points(const PointSources &source,
+                    const std::string  &name,
+                    const TissueMap<dim> &,
+                    const PointLocator<dim> &) const;
     template <typename Density>
-    Assemble volume(const Density &density, const std::set<types::material_id> &regions, const TissueMap<dim> &) const;
+    Assemble
+    volume(const Density &density, const std::set<types::material_id> &regions, const TissueMap<dim> &) const;
     void   assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const;
     double mean_amplitude(const Item &item, const Step &step) const;
     /** The amplitudes at both ends of a step, for the rate. */
     std::pair<double, double> end_amplitudes(const Item &item, const Step &step) const;
-    void   add_rate(const Item &item, const Step &step, Vector &force) const;
+    void                      add_rate(const Item &item, const Step &step, Vector &force) const;
 
-    const Field<dim>    &field;
-    const bool           non_fourier;
-    const bool           jumps;
-    std::vector<Item>    items;
+    const Field<dim> &field;
+    const bool        non_fourier;
+    const bool        jumps;
+    std::vector<Item> items;
   };
 } // namespace Cautery

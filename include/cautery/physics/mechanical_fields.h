@@ -12,16 +12,16 @@
 namespace Cautery
 {
   /**
-   * Strain, stress and strain energy density at the owned nodes: strain and stress averaged over the node's cells by
-   * volume, energies from the averaged strain, tissue by tissue.
+   * Strain, stress and strain energy density at the owned nodes: strain and stress averaged over the node's
+   * cells by volume, energies from the averaged strain, tissue by tissue.
    */
   template <int dim>
   struct MechanicalFields
   {
     std::vector<SymmetricTensor<2, dim>> strain;
-    std::vector<SymmetricTensor<2, dim>> stress;        ///< Pa
-    std::vector<double>                  strain_energy; ///< 1/2 sigma':eps without the thermal part of the stress, J/m3
-    std::vector<double>                  thermal_strain_energy; ///< 1/2 sigma:eps with it (thesis Eq. 2-4), J/m3
+    std::vector<SymmetricTensor<2, dim>> stress; ///< Pa
+    std::vector<double> strain_energy; ///< 1/2 sigma':eps without the thermal part of the stress, J/m3
+    std::vector<double> thermal_strain_energy; ///< 1/2 sigma:eps with it (thesis Eq. 2-4), J/m3
   };
 
   template <int dim>

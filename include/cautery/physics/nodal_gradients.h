@@ -9,8 +9,9 @@
 namespace Cautery
 {
   /**
-   * Gradients at the nodes, averaged over each node's cells by volume, separately for each tissue that meets there: so a
-   * law can be applied tissue by tissue where properties jump. The average over a node's tissues is `average`.
+   * Gradients at the nodes, averaged over each node's cells by volume, separately for each tissue that meets
+   * there: so a law can be applied tissue by tissue where properties jump. The average over a node's tissues
+   * is `average`.
    *
    * The gradients of the shape functions are kept, because damage may ask at every step.
    */
@@ -21,9 +22,9 @@ namespace Cautery
     /// A node together with one of its tissues.
     struct Piece
     {
-      unsigned int node;   ///< local number among the owned nodes
+      unsigned int node; ///< local number among the owned nodes
       unsigned int tissue;
-      double       share;  ///< of the node's volume, 0 to 1
+      double       share; ///< of the node's volume, 0 to 1
     };
 
     NodalGradients(const Field<dim> &nodes, const TissueMap<dim> &tissues);
@@ -32,7 +33,8 @@ namespace Cautery
     const std::vector<Piece> &pieces() const { return all_pieces; }
 
     /**
-     * The gradients d(x_c)/d(x_d) of the field @p x (any number of components on the same nodes), one for each piece, at
+     * The gradients d(x_c)/d(x_d) of the field @p x (any number of components on the same nodes), one for
+     * each piece, at
      * [(piece * n_components + c) * dim + d].
      */
     std::vector<double> evaluate(const Field<dim> &field, const Vector &x) const;
@@ -46,7 +48,6 @@ namespace Cautery
       unsigned int gradients; ///< into `shape_gradients`: of all shape functions at this node
       double       weight;    ///< share of the piece's volume
     };
-
 
     const Field<dim>                    &nodes;
     const unsigned int                   per_cell;

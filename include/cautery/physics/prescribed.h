@@ -11,8 +11,8 @@
 namespace Cautery
 {
   /**
-   * The unknowns of a field whose values a scene prescribes on surfaces, one expression each. Where surfaces with
-   * different values meet, the boundary that the scene names first holds.
+   * The unknowns of a field whose values a scene prescribes on surfaces, one expression each. Where surfaces
+   * with different values meet, the boundary that the scene names first holds.
    */
   template <int dim>
   class Prescribed

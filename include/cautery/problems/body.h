@@ -19,7 +19,8 @@ namespace Cautery
       , tissues(mesh, scene.tissues)
       , boundaries(mesh, scene.boundaries)
       , locator(mesh)
-    {}
+    {
+    }
 
     Mesh<dim>         mesh;
     Field<dim>        nodes; ///< scalar: temperature, damage, and the places of all nodal output

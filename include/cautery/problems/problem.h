@@ -14,7 +14,8 @@
 namespace Cautery
 {
   /**
-   * What a scene simulates: operators, an integrator, and what follows from their state. Only composed of these.
+   * What a scene simulates: operators, an integrator, and what follows from their state. Only composed of
+   * these.
    */
   template <int dim>
   class Problem

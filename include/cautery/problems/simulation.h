@@ -35,7 +35,8 @@ namespace Cautery
     void      advance(State &state, const double stop, Progress &progress);
     void      observe(State &state);
     RunRecord record(const State &state) const;
-    void      finish(const State &state, const std::string &directory, const std::string &failure, Progress &progress);
+    void
+    finish(const State &state, const std::string &directory, const std::string &failure, Progress &progress);
 
     const Scene                                &scene;
     const MPI_Comm                              communicator;

@@ -10,8 +10,8 @@
 namespace Cautery
 {
   /**
-   * Heat and deformation, one way or two way coupled or not at all, and damage. Without inertia and feedback the
-   * displacement has no history: it is solved for when an output or an effect asks.
+   * Heat and deformation, one way or two way coupled or not at all, and damage. Without inertia and feedback
+   * the displacement has no history: it is solved for when an output or an effect asks.
    */
   template <int dim>
   class ThermomechanicalProblem : public Problem<dim>

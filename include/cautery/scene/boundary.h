@@ -9,8 +9,8 @@
 namespace Cautery
 {
   /**
-   * What holds on some surfaces: exactly one thermal and one mechanical condition, of which only those count whose
-   * balance the scene solves. A subsection of "Boundaries".
+   * What holds on some surfaces: exactly one thermal and one mechanical condition, of which only those count
+   * whose balance the scene solves. A subsection of "Boundaries".
    */
   struct Boundary
   {
@@ -35,7 +35,7 @@ namespace Cautery
     std::string              name;
     std::vector<std::string> surfaces = {"all"}; ///< physical groups, by number or name; "remaining"
 
-    Thermal    thermal = Thermal::missing;
+    Thermal    thermal              = Thermal::missing;
     Expression temperature          = 310.; ///< K
     Expression flux                 = 0.;   ///< into the body, W/m2
     double     transfer_coefficient = 5.;   ///< W/(m2 K)

@@ -9,16 +9,16 @@
 namespace Cautery
 {
   /**
-   * The terms that a scene turns on: this list is the model. What is off has no unknowns, no memory and no work.
-   * Section "Effects".
+   * The terms that a scene turns on: this list is the model. What is off has no unknowns, no memory and no
+   * work. Section "Effects".
    */
   struct Effects
   {
     enum class Heat
     {
       off,
-      fourier,     ///< thesis Eq. 4-22
-      non_fourier  ///< thesis Eq. 6-8
+      fourier,    ///< thesis Eq. 4-22
+      non_fourier ///< thesis Eq. 6-8
     };
     enum class Jumps
     {
@@ -46,10 +46,10 @@ namespace Cautery
     enum class Damage
     {
       off,
-      critical_thermal_load,             ///< thesis Eq. 2-1
-      arrhenius,                         ///< Eq. 2-2
-      thermal_strain_energy,             ///< Eqs. 2-3, 2-4
-      thermo_mechanical_strain_energy,   ///< Eq. 5-7
+      critical_thermal_load,           ///< thesis Eq. 2-1
+      arrhenius,                       ///< Eq. 2-2
+      thermal_strain_energy,           ///< Eqs. 2-3, 2-4
+      thermo_mechanical_strain_energy, ///< Eq. 5-7
       cem43
     };
 

@@ -33,7 +33,7 @@ namespace Cautery
     Point<3>            lower        = Point<3>();
     Point<3>            upper        = Point<3>(0.01, 0.01, 0.01); ///< m
     std::vector<double> subdivisions = {10, 10, 10};
-    std::string         file_name;   ///< complete path once the scene is read
+    std::string         file_name; ///< complete path once the scene is read
     LengthUnit          length_unit = LengthUnit::metre;
     unsigned int        refinements = 0;
 

@@ -18,10 +18,11 @@ namespace Cautery
       cg_amg
     };
 
-    Method       method         = Method::automatic;
-    double       tolerance      = 1e-9;  ///< on the residual's norm, relative to the largest right-hand side so far
+    Method       method    = Method::automatic;
+    double       tolerance = 1e-9; ///< on the residual's norm, relative to the largest right-hand side so far
     unsigned int max_iterations = 2000;
-    unsigned int guesses        = 16; ///< earlier solutions that the initial guess is combined from; 0: start from zero
+    unsigned int guesses =
+      16; ///< earlier solutions that the initial guess is combined from; 0: start from zero
 
     void parameters(Parameters &p);
   };

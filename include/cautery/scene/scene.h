@@ -35,7 +35,7 @@ namespace Cautery
   struct Scene
   {
     std::string             title;
-    unsigned int            dimension = 3;
+    unsigned int            dimension           = 3;
     Expression              initial_temperature = 310.; ///< K
     MeshSettings            mesh;
     Effects                 effects;

@@ -13,8 +13,8 @@
 namespace Cautery
 {
   /**
-   * Solves A x = b with symmetric positive definite A again and again, the right-hand sides changing slowly: the first
-   * guess comes from earlier solutions, and often nothing is left to do.
+   * Solves A x = b with symmetric positive definite A again and again, the right-hand sides changing slowly:
+   * the first guess comes from earlier solutions, and often nothing is left to do.
    */
   class LinearSolver
   {
@@ -22,10 +22,12 @@ namespace Cautery
     using Modes = std::function<std::vector<Vector>()>;
 
     /**
-     * @p n_components unknowns stand together at each node; @p near_null_space gives the modes that multigrid must not forget
-     * (asked for only where multigrid is used).
+     * @p n_components unknowns stand together at each node; @p near_null_space gives the modes that multigrid
+     * must not forget (asked for only where multigrid is used).
      */
-    LinearSolver(const LinearSolverSettings &settings, const unsigned int n_components, Modes near_null_space);
+    LinearSolver(const LinearSolverSettings &settings,
+                 const unsigned int          n_components,
+                 Modes                       near_null_space);
     ~LinearSolver();
 
     /** The matrix from now on; it must live as long as it is solved with. */

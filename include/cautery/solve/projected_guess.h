@@ -8,17 +8,16 @@
 namespace Cautery
 {
   /**
-   * The best combination of earlier solutions as a first guess: Fischer, Comput. Methods Appl. Mech. Eng. 163 (1998)
-   * 193-204. Keeps an A-orthonormal basis of what earlier solves had to add to their guesses, together with its images under A,
-   * so that a guess and its residual cost inner products and no matrix. All arrays are local and contiguous, with one
-   * reduction over the processes for all products: for small systems that is what the time goes into.
+   * The best combination of earlier solutions as a first guess: Fischer, Comput. Methods Appl. Mech. Eng. 163
+   * (1998) 193-204. Keeps an A-orthonormal basis of what earlier solves had to add to their guesses, together
+   * with its images under A, so that a guess and its residual cost inner products and no matrix. All arrays
+   * are local and contiguous, with one reduction over the processes for all products: for small systems that
+   * is what the time goes into.
    */
   class ProjectedGuess
   {
   public:
-    explicit ProjectedGuess(const unsigned int capacity)
-      : capacity(capacity)
-    {}
+    explicit ProjectedGuess(const unsigned int capacity) : capacity(capacity) {}
 
     /** Forgets everything: the matrix is another one. */
     void clear();
@@ -27,8 +26,8 @@ namespace Cautery
     void apply(Vector &x, Vector &residual) const;
 
     /**
-     * Learns the correction @p x - guess, with its image A (x - guess); once full, starts again from the whole solution @p x
-     * and its image.
+     * Learns the correction @p x - guess, with its image A (x - guess); once full, starts again from the
+     * whole solution @p x and its image.
      */
     void learn(const Vector &x, const Vector &image_of_x, const Vector &correction, const Vector &image);
 

@@ -11,9 +11,9 @@
 namespace Cautery
 {
   /**
-   * Homogeneous constraints x = C y in the form that the time loop needs: all indices are local, so that a call costs
-   * microseconds where AffineConstraints looks every number up. The unknowns of a constraint belong to one node
-   * and hence to one process.
+   * Homogeneous constraints x = C y in the form that the time loop needs: all indices are local, so that a
+   * call costs microseconds where AffineConstraints looks every number up. The unknowns of a constraint
+   * belong to one node and hence to one process.
    */
   class Elimination
   {

@@ -15,11 +15,12 @@
 namespace Cautery
 {
   /**
-   * A finite element field on a mesh: Lagrange elements of degree 1 or 2 on simplices or hypercubes, with one component
-   * (a temperature) or dim components (a displacement).
+   * A finite element field on a mesh: Lagrange elements of degree 1 or 2 on simplices or hypercubes, with one
+   * component (a temperature) or dim components (a displacement).
    *
-   * The unknowns of a vector field follow the nodes of the scalar field: component c of node n is unknown dim n + c, on
-   * the same process. So nodal values of both belong together without any map, and multigrid finds its blocks.
+   * The unknowns of a vector field follow the nodes of the scalar field: component c of node n is unknown dim
+   * n + c, on the same process. So nodal values of both belong together without any map, and multigrid finds
+   * its blocks.
    */
   template <int dim>
   class Field
@@ -62,8 +63,8 @@ namespace Cautery
     Vector ghosted(const Vector &values) const;
 
     /**
-     * An empty matrix with rows of this field and columns of @p columns, coupling all unknowns of a cell; rows and
-     * columns that @p constraints removes keep their diagonal only (nullptr: none).
+     * An empty matrix with rows of this field and columns of @p columns, coupling all unknowns of a cell;
+     * rows and columns that @p constraints removes keep their diagonal only (nullptr: none).
      */
     void initialize_matrix(SparseMatrix                    &matrix,
                            const Field<dim>                &columns,

@@ -13,9 +13,9 @@
 namespace Cautery
 {
   /**
-   * One balance in backward Euler's scheme (thesis Eqs. 6-25 to 6-27), written for the rate v = (x - x_old) / dt:
-   * (M / dt + C + dt K) v = F - K x_old + M v_old / dt.
-   * The rate form has no differences of large numbers, and becomes Fourier's scheme exactly as M goes to 0.
+   * One balance in backward Euler's scheme (thesis Eqs. 6-25 to 6-27), written for the rate v = (x - x_old) /
+   * dt: (M / dt + C + dt K) v = F - K x_old + M v_old / dt. The rate form has no differences of large
+   * numbers, and becomes Fourier's scheme exactly as M goes to 0.
    */
   class BackwardEulerBalance
   {
@@ -34,8 +34,8 @@ namespace Cautery
     /** Adds the prescribed part to @p free_rate, then x += dt v. */
     void apply(const Step &step, Vector &free_rate, State &state);
     /**
-     * Calls @p solve, which returns the free rate; where the matrices depend on the state, again with new ones until the
-     * unknown does not change any more. Errors: ExcRun.
+     * Calls @p solve, which returns the free rate; where the matrices depend on the state, again with new
+     * ones until the unknown does not change any more. Errors: ExcRun.
      */
     void repeat_until_settled(const Step &step, const State &state, const std::function<Vector &()> &solve);
 
@@ -43,9 +43,9 @@ namespace Cautery
     const SparseMatrix &system_matrix() const { return system; }
     const Vector       &right_hand_side() const { return force; }
     /** The rates of the prescribed entries, zero elsewhere; empty where they are zero. */
-    const Vector       &prescribed_rates() const { return prescribed_met ? no_rates : prescribed_rate; }
-    unsigned int        iterations() const { return n_iterations; }
-    std::string         name() const { return equation.name(); }
+    const Vector &prescribed_rates() const { return prescribed_met ? no_rates : prescribed_rate; }
+    unsigned int  iterations() const { return n_iterations; }
+    std::string   name() const { return equation.name(); }
 
   private:
     void          subtract_prescribed(const Step &step, const Vector &x);

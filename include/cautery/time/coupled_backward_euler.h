@@ -7,12 +7,14 @@
 namespace Cautery
 {
   /**
-   * Backward Euler for heat and deformation that act on each other (thesis Eqs. 4-22, 6-8 and 6-27): one linear system
+   * Backward Euler for heat and deformation that act on each other (thesis Eqs. 4-22, 6-8 and 6-27): one
+   * linear system
    *
    *   A_T V + (D + D_tau / dt) w = r_T,     -dt G V + A_u w = r_u
    *
-   * for the rates V of temperature and w of displacement. D is the feedback, G the thermal expansion. Solved by FGMRES, preconditioned
-   * by solving one balance after the other, which alone would converge only while the coupling is weak.
+   * for the rates V of temperature and w of displacement. D is the feedback, G the thermal expansion. Solved
+   * by FGMRES, preconditioned by solving one balance after the other, which alone would converge only while
+   * the coupling is weak.
    */
   template <int dim>
   class CoupledBackwardEuler : public Integrator

@@ -13,7 +13,8 @@ namespace Cautery
 {
   /**
    * Heat by IDA: C T' + K T = F, or as a first-order system T' = V, M V' + C V + K T = F + tau F'. Prescribed
-   * temperatures are algebraic. Starts anew whenever a source is switched, V jumping by what the balance says.
+   * temperatures are algebraic. Starts anew whenever a source is switched, V jumping by what the balance
+   * says.
    */
   template <int dim>
   class IdaHeat : public Integrator, private ImplicitSystem
@@ -25,18 +26,18 @@ namespace Cautery
     std::map<std::string, double> statistics() const override;
 
   private:
-    void residual(const double       time,
-                  const BlockVector &y,
-                  const BlockVector &y_dot,
-                  BlockVector       &result) override;
     void
-    setup_jacobian(const double time, const BlockVector &y, const BlockVector &y_dot, const double new_alpha) override;
+    residual(const double time, const BlockVector &y, const BlockVector &y_dot, BlockVector &result) override;
+    void setup_jacobian(const double       time,
+                        const BlockVector &y,
+                        const BlockVector &y_dot,
+                        const double       new_alpha) override;
     void solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double tolerance) override;
 
-    void   start(State &state);
-    void   jump(const double time);
-    void   make_consistent(const double time);
-    void   refresh_properties(const Vector &temperature);
+    void start(State &state);
+    void jump(const double time);
+    void make_consistent(const double time);
+    void refresh_properties(const Vector &temperature);
     /** A derivative of the prescribed temperatures, by finite differences with five weights. */
     void   differentiate_prescribed(const std::array<double, 5> &weights,
                                     const unsigned int           order,
@@ -55,11 +56,11 @@ namespace Cautery
     LinearSolver              solver;      ///< of the Jacobian, reduced to temperatures
     LinearSolver              mass_solver; ///< of the highest derivative
     SparseMatrix              system;
-    double                    alpha       = 0.;
-    double                    within      = 0.; ///< a time in the present interval between switches, s
-    bool                      fresh       = true;
+    double                    alpha        = 0.;
+    double                    within       = 0.; ///< a time in the present interval between switches, s
+    bool                      fresh        = true;
     unsigned int              n_iterations = 0;
-    const State              *properties  = nullptr; ///< the state whose damage stops perfusion
+    const State              *properties   = nullptr; ///< the state whose damage stops perfusion
     BlockVector               y, y_dot;
     Vector                    force, product, boundary;
   };
