@@ -159,6 +159,8 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
         return;
     const int keep = 0;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", keep); // all such processes would share one, and race
+    setenv("OMPI_MCA_sharedfp", "^sm", keep);               // it would put files there
     setenv("OMPI_MCA_pml", "ob1", keep);
     setenv("OMPI_MCA_btl", "self", keep);
   }
