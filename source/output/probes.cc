@@ -13,14 +13,16 @@ namespace Cautery
     std::vector<std::optional<typename PointLocator<dim>::Location>> locate(const std::vector<Probe> &probes,
                                                                             const PointLocator<dim>  &locator)
     {
-      std::vector<Point<dim>> places;
+      std::vector<Point<dim>>  places;
+      std::vector<std::string> names;
       for (const auto &probe : probes)
         {
+          names.push_back("Output/Probe places, `" + probe.name + "`");
           places.emplace_back();
           for (unsigned int d = 0; d < dim; ++d)
             places.back()[d] = probe.place[d];
         }
-      return locator.find_inside(places, "Output/Probe places");
+      return locator.find_inside(places, names);
     }
   } // namespace
 
@@ -53,8 +55,12 @@ namespace Cautery
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {
         const double weight = nodes.element().shape_value(i, location.unit);
-        if (std::abs(weight) > 1e-8) // a node's value may be -infinity: no damage
-          result += weight * ghosted(dofs[i]);
+        const double nodal  = ghosted(dofs[i]);
+        if (std::abs(weight) <= 1e-8)
+          continue;
+        if (!std::isfinite(nodal)) // -infinity: no damage; of both signs of weight it would make nothing
+          return nodal;
+        result += weight * nodal;
       }
     return result;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/elasticity.h>
+#include <cautery/physics/rigid_motions.h>
 #include <cautery/physics/rollers.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -46,12 +47,18 @@ namespace Cautery
                                  scene.effects.heat == Effects::Heat::non_fourier))
     , prescribed(displacement, boundaries, prescribed_displacement)
   {
-    std::vector<Point<dim>> places;
+    std::vector<Point<dim>>  places;
+    std::vector<std::string> names;
     for (const auto &load : scene.loads.points)
-      places.push_back(in_plane<dim>(load.place));
-    load_places = locator.find_inside(places, "Loads");
+      {
+        places.push_back(in_plane<dim>(load.place));
+        names.push_back("Loads/" + load.name + "/Place");
+      }
+    load_places = locator.find_inside(places, names);
 
     constrain(boundaries);
+    if (!has_inertia)
+      check_held();
     // in equilibrium, a body that nothing moves needs no products with prescribed values
     needs_full = has_inertia || scene.effects.coupling == Effects::Coupling::two_way || moved();
     initialize_matrices();
@@ -80,6 +87,21 @@ namespace Cautery
     eliminated.reinit(fixed, displacement.owned());
   }
 
+  /** Of what holds a body, a fixed surface holds it altogether; rollers may leave it a shift or a turn. */
+  template <int dim>
+  void Elasticity<dim>::check_held() const
+  {
+    for (const auto &boundary : scene.boundaries)
+      if (boundary.mechanical == Boundary::Mechanical::fixed ||
+          boundary.mechanical == Boundary::Mechanical::displacement)
+        return;
+    const unsigned int n_free = n_free_rigid_motions(displacement, eliminated);
+    AssertThrow(n_free == 0,
+                ExcInput("Boundaries: the rollers leave the body " + std::to_string(n_free) +
+                         " shifts or turns as a whole, so it has no equilibrium; hold them with Mechanical = "
+                         "fixed, displacement or more rollers, or set Effects/Deformation = inertia"));
+  }
+
   template <int dim>
   void Elasticity<dim>::initialize_matrices()
   {
@@ -98,37 +120,7 @@ namespace Cautery
   template <int dim>
   std::vector<Vector> Elasticity<dim>::near_null_space() const
   {
-    constexpr unsigned int               n_rotations = dim == 3 ? 3 : 1;
-    std::vector<Vector>                  modes(dim + n_rotations, displacement.vector());
-    const auto                          &fe = displacement.element();
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    for (const auto &cell : displacement.dof_handler().active_cell_iterators())
-      {
-        if (cell->is_artificial())
-          continue;
-        cell->get_dof_indices(dofs);
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (displacement.owned().is_element(dofs[i]))
-            {
-              const unsigned int c = fe.system_to_component_index(i).first;
-              const auto         place =
-                displacement.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
-              modes[c](dofs[i]) = 1.;
-              // rotation r turns axis a = r+1 towards axis b = r+2 (in the plane: 0 towards 1)
-              for (unsigned int r = 0; r < n_rotations; ++r)
-                {
-                  const unsigned int a = dim == 3 ? (r + 1) % 3 : 0;
-                  const unsigned int b = dim == 3 ? (r + 2) % 3 : 1;
-                  if (c == a)
-                    modes[dim + r](dofs[i]) = -place[b];
-                  if (c == b)
-                    modes[dim + r](dofs[i]) = place[a];
-                }
-            }
-      }
-    for (auto &mode : modes)
-      mode.compress(VectorOperation::insert);
-    return modes;
+    return rigid_motions(displacement);
   }
 
   template <int dim>

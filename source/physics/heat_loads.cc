@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/heat_loads.h>
 
-#include <deal.II/fe/fe_values.h>
-
 #include <algorithm>
 #include <cmath>
 
 namespace Cautery
 {
+  namespace
+  {
+    /// @p share: of the power of a source that is spread over all space, what falls on the body's nodes.
+    void check_reaches_body(const HeatSource &source, const double share)
+    {
+      const bool spread = std::holds_alternative<GaussianSource>(source.source) ||
+                          std::holds_alternative<MicrowaveAntenna>(source.source);
+      AssertThrow(
+        !spread || share > 1e-3,
+        ExcInput("Heat sources/" + source.name + ": of 1 W only " + to_text(share) +
+                 " W falls on the body; its Centre lies outside, or it is far narrower than the cells"));
+    }
+  } // namespace
+
   template <int dim>
   HeatLoads<dim>::HeatLoads(const Scene             &scene,
                             const Field<dim>        &field,
@@ -19,193 +31,26 @@ namespace Cautery
     , jumps(scene.effects.source_jumps == Effects::Jumps::consistent)
   {
     if (scene.effects.heat_sources)
-      add_sources(scene, tissues, locator);
-    add_surfaces(scene.boundaries, tissues, boundaries);
-  }
-
-  namespace
-  {
-    /// Adds the shape functions at @p place, times @p factor, to the nodes of @p cell.
-    template <int dim>
-    void add_at_point(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                      const Point<dim>                                     &unit,
-                      const double                                          factor,
-                      Vector                                               &load)
-    {
-      const FiniteElement<dim>            &fe = cell->get_fe();
-      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      std::vector<double>                  values(dofs.size());
-      cell->get_dof_indices(dofs);
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        values[i] = factor * fe.shape_value(i, unit);
-      load.add(dofs, values);
-    }
-  } // namespace
-
-  template <int dim>
-  auto HeatLoads<dim>::points(const PointSources      &source,
-                              const std::string       &name,
-                              const TissueMap<dim>    &tissues,
-                              const PointLocator<dim> &locator) const -> Assemble
-  {
-    std::vector<Point<dim>> places;
-    for (const auto &place : source.places)
+      for (const auto &source : scene.heat_sources)
+        {
+          add_item(&source, source_distribution(source, field, tissues, locator));
+          check_reaches_body(source, items.back().sum);
+        }
+    for (unsigned int b = 0; b < scene.boundaries.size(); ++b)
       {
-        places.emplace_back();
-        for (unsigned int d = 0; d < dim; ++d)
-          places.back()[d] = place[d];
-      }
-    const auto found = locator.find_inside(places, "Heat sources/" + name + "/Places");
-    return [this, found, &tissues](const double, Vector &load, Vector *relaxed) {
-      for (const auto &location : found)
-        if (location)
-          {
-            const auto cell = field.cell(location->cell);
-            add_at_point<dim>(cell, location->unit, 1., load);
-            if (relaxed != nullptr)
-              add_at_point<dim>(
-                cell, location->unit, tissues[cell->material_id()].thermal.relaxation_time, *relaxed);
-          }
-    };
-  }
-
-  template <int dim>
-  template <typename Density>
-  auto HeatLoads<dim>::volume(const Density                      &density,
-                              const std::set<types::material_id> &regions,
-                              const TissueMap<dim>               &tissues) const -> Assemble
-  {
-    return [this, density, regions, &tissues](const double time, Vector &load, Vector *relaxed) {
-      FEValues<dim>                        values(field.mapping(),
-                           field.element(),
-                           field.cell_quadrature(),
-                           update_values | update_quadrature_points | update_JxW_values);
-      dealii::Vector<double>               local(field.element().n_dofs_per_cell());
-      std::vector<types::global_dof_index> dofs(local.size());
-      for (const auto &cell : field.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() && regions.count(cell->material_id()) == 1)
-          {
-            values.reinit(cell);
-            local = 0.;
-            for (const unsigned int q : values.quadrature_point_indices())
-              {
-                const double heat = density(in_space<dim>(values.quadrature_point(q)), time) * values.JxW(q);
-                for (const unsigned int i : values.dof_indices())
-                  local(i) += heat * values.shape_value(i, q);
-              }
-            cell->get_dof_indices(dofs);
-            load.add(dofs, local);
-            if (relaxed != nullptr)
-              {
-                local *= tissues[cell->material_id()].thermal.relaxation_time;
-                relaxed->add(dofs, local);
-              }
-          }
-    };
-  }
-
-  template <int dim>
-  void HeatLoads<dim>::add_sources(const Scene             &scene,
-                                   const TissueMap<dim>    &tissues,
-                                   const PointLocator<dim> &locator)
-  {
-    const auto everywhere = field.mesh().region_ids({"all"});
-    for (const auto &source : scene.heat_sources)
-      {
-        Item item;
-        item.source = &source;
-        if (const auto *shape = std::get_if<PointSources>(&source.source))
-          item.assemble = points(*shape, source.name, tissues, locator);
-        else if (const auto *shape = std::get_if<ExpressionSource>(&source.source))
-          {
-            item.changes = shape->distribution.depends_on_time();
-            item.assemble =
-              volume([shape](const Point<3> &place,
-                             const double    time) { return shape->distribution.value(place, time); },
-                     everywhere,
-                     tissues);
-          }
-        else
-          item.assemble = std::visit(
-            [&](const auto &shape) -> Assemble {
-              using Shape = std::decay_t<decltype(shape)>;
-              if constexpr (std::is_same_v<Shape, UniformSource>)
-                return volume([](const Point<3> &, const double) { return 1.; },
-                              field.mesh().region_ids(shape.regions),
-                              tissues);
-              else if constexpr (std::is_same_v<Shape, GaussianSource> ||
-                                 std::is_same_v<Shape, MicrowaveAntenna>)
-                return volume(
-                  [&shape](const Point<3> &place, const double) { return shape.density(place, dim); },
-                  everywhere,
-                  tissues);
-              else
-                return {};
-            },
-            source.source);
-        add_item(std::move(item));
+        const Boundary &boundary = scene.boundaries[b];
+        if (boundary.thermal == Boundary::Thermal::flux || boundary.thermal == Boundary::Thermal::convection)
+          add_item(nullptr, surface_distribution(boundary, boundaries.surfaces(b), field, tissues));
       }
   }
 
   template <int dim>
-  void HeatLoads<dim>::add_surfaces(const std::vector<Boundary> &list,
-                                    const TissueMap<dim>        &tissues,
-                                    const BoundaryMap<dim>      &map)
+  void HeatLoads<dim>::add_item(const HeatSource *source, HeatDistribution distribution)
   {
-    for (unsigned int b = 0; b < list.size(); ++b)
-      {
-        const Boundary &boundary   = list[b];
-        const bool      convection = boundary.thermal == Boundary::Thermal::convection;
-        if (!convection && boundary.thermal != Boundary::Thermal::flux)
-          continue;
-        const Expression &expression = convection ? boundary.ambient_temperature : boundary.flux;
-        const double      factor     = convection ? boundary.transfer_coefficient : 1.;
-        const auto        surfaces   = map.surfaces(b);
-        Item              item;
-        item.changes = expression.depends_on_time();
-        item.assemble =
-          [this, &expression, factor, surfaces, &tissues](const double time, Vector &load, Vector *relaxed) {
-            FEFaceValues<dim>                    values(field.mapping(),
-                                     field.element(),
-                                     field.face_quadrature(),
-                                     update_values | update_quadrature_points | update_JxW_values);
-            dealii::Vector<double>               local(field.element().n_dofs_per_cell());
-            std::vector<types::global_dof_index> dofs(local.size());
-            for (const auto &cell : field.dof_handler().active_cell_iterators())
-              {
-                if (!cell->is_locally_owned() || !cell->at_boundary())
-                  continue;
-                local = 0.;
-                for (const unsigned int face : cell->face_indices())
-                  if (cell->face(face)->at_boundary() && surfaces.count(cell->face(face)->boundary_id()) == 1)
-                    {
-                      values.reinit(cell, face);
-                      for (const unsigned int q : values.quadrature_point_indices())
-                        {
-                          const double heat =
-                            factor * expression.value(in_space<dim>(values.quadrature_point(q)), time) *
-                            values.JxW(q);
-                          for (const unsigned int i : values.dof_indices())
-                            local(i) += heat * values.shape_value(i, q);
-                        }
-                    }
-                cell->get_dof_indices(dofs);
-                load.add(dofs, local);
-                if (relaxed != nullptr)
-                  {
-                    local *= tissues[cell->material_id()].thermal.relaxation_time;
-                    relaxed->add(dofs, local);
-                  }
-              }
-          };
-        add_item(std::move(item));
-      }
-  }
-
-  template <int dim>
-  void HeatLoads<dim>::add_item(Item item)
-  {
-    item.load = field.vector();
+    Item item;
+    item.source       = source;
+    item.distribution = std::move(distribution);
+    item.load         = field.vector();
     if (non_fourier)
       item.relaxed = field.vector();
     assemble_now(item, 0., item.load, non_fourier ? &item.relaxed : nullptr);
@@ -221,7 +66,7 @@ namespace Cautery
     load = 0.;
     if (relaxed != nullptr)
       *relaxed = 0.;
-    item.assemble(time, load, relaxed);
+    item.distribution.assemble(time, load, relaxed);
     load.compress(VectorOperation::add);
     if (relaxed != nullptr)
       relaxed->compress(VectorOperation::add);
@@ -265,7 +110,7 @@ namespace Cautery
     const auto [start, end] = end_amplitudes(item, step);
     const double before     = start / step.length();
     const double after      = end / step.length();
-    if (!item.changes)
+    if (!item.distribution.changes)
       {
         if (after != before)
           force.add(after - before, item.relaxed);
@@ -285,7 +130,7 @@ namespace Cautery
     for (const auto &item : items)
       {
         const double amplitude = mean_amplitude(item, step);
-        if (item.changes)
+        if (item.distribution.changes)
           {
             Vector load = field.vector();
             assemble_now(item, step.to, load, nullptr);
@@ -311,7 +156,7 @@ namespace Cautery
         };
         if (!active)
           continue;
-        if (!item.changes)
+        if (!item.distribution.changes)
           {
             force.add(value(time), item.load);
             if (non_fourier)
@@ -355,7 +200,7 @@ namespace Cautery
                                                               active_before(item.source->schedule, time));
           if (jump == 0.)
             continue;
-          if (!item.changes)
+          if (!item.distribution.changes)
             {
               force.add(jump, item.relaxed);
               continue;
@@ -387,7 +232,7 @@ namespace Cautery
     for (auto &item : items)
       {
         double amplitude = mean_amplitude(item, step);
-        if (item.source != nullptr && non_fourier && !(jumps && item.changes))
+        if (item.source != nullptr && non_fourier && !(jumps && item.distribution.changes))
           {
             // A source acts as s with tau s' + s = a + tau a': other than a where its jumps are neglected,
             // and after a switch inside a step, of which a holds the share and a' the whole jump.
@@ -397,7 +242,7 @@ namespace Cautery
             amplitude      = item.effective;
           }
         double heat = amplitude * step.length();
-        if (item.changes)
+        if (item.distribution.changes)
           {
             Vector load = field.vector();
             assemble_now(item, step.to, load, nullptr);

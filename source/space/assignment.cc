@@ -24,6 +24,7 @@ namespace Cautery
                                       const std::map<Id, std::string>      &names,
                                       const ToIds                          &to_ids,
                                       const std::string                    &section,
+                                      const std::string                    &entry,
                                       const std::string                    &kind)
     {
       std::map<Id, unsigned int> assigned;
@@ -36,7 +37,7 @@ namespace Cautery
       };
       for (unsigned int i = 0; i < items.size(); ++i)
         if (items[i].*texts != remaining)
-          for (const Id id : to_ids(items[i].*texts))
+          for (const Id id : to_ids(items[i].*texts, section + "/" + items[i].name + "/" + entry))
             give(id, i);
       for (unsigned int i = 0; i < items.size(); ++i)
         if (items[i].*texts == remaining)
@@ -47,6 +48,12 @@ namespace Cautery
         AssertThrow(assigned.count(id) == 1,
                     ExcInput(section + ": nothing is said of " + kind + " " + id_text(id, name) +
                              " of the mesh; name it, or use `remaining`"));
+      for (unsigned int i = 0; i < items.size(); ++i)
+        AssertThrow(
+          std::any_of(assigned.begin(), assigned.end(), [i](const auto &pair) { return pair.second == i; }),
+          ExcInput(section + "/" + items[i].name + "/" + entry + " = " + join(items[i].*texts) + ": no " +
+                   kind + " of the mesh is left for it; name one, or take " + items[i].name + " out of " +
+                   section + "/Names"));
       return assigned;
     }
   } // namespace
@@ -58,8 +65,11 @@ namespace Cautery
         tissues,
         &Tissue::regions,
         mesh.regions(),
-        [&mesh](const auto &texts) { return mesh.region_ids(texts); },
+        [&mesh](const auto &texts, const std::string &parameter) {
+          return mesh.region_ids(texts, parameter);
+        },
         "Tissues",
+        "Regions",
         "region"))
   {
   }
@@ -71,8 +81,11 @@ namespace Cautery
         boundaries,
         &Boundary::surfaces,
         mesh.surfaces(),
-        [&mesh](const auto &texts) { return mesh.surface_ids(texts); },
+        [&mesh](const auto &texts, const std::string &parameter) {
+          return mesh.surface_ids(texts, parameter);
+        },
         "Boundaries",
+        "Surfaces",
         "surface"))
   {
   }

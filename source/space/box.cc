@@ -19,7 +19,7 @@ namespace Cautery
     {
       const auto &numbers = settings.subdivisions;
       AssertThrow(numbers.size() == 1 || numbers.size() == dim || numbers.size() == 3,
-                  ExcInput("Mesh: a box needs 1 or " + std::to_string(dim) + " subdivisions, not " +
+                  ExcInput("Mesh/Subdivisions: a box needs 1 or " + std::to_string(dim) + " numbers, not " +
                            std::to_string(numbers.size())));
       std::array<unsigned int, dim> counts;
       double                        n_vertices = 1.;
@@ -27,16 +27,16 @@ namespace Cautery
         {
           const double number = (numbers.size() == 1 ? numbers[0] : numbers[d]);
           AssertThrow(number >= 1. && number <= 1e6 && number == std::floor(number),
-                      ExcInput("Mesh: " + to_text(number) + " subdivisions; give a whole number from 1 on"));
+                      ExcInput("Mesh/Subdivisions = " + to_text(number) + ": give a whole number from 1 on"));
           AssertThrow(settings.lower[d] < settings.upper[d],
-                      ExcInput("Mesh: the box reaches from " + to_text(settings.lower[d]) + " to " +
-                               to_text(settings.upper[d]) + " m in direction " + "xyz"[d] +
+                      ExcInput("Mesh/Upper corner: the box reaches from " + to_text(settings.lower[d]) +
+                               " to " + to_text(settings.upper[d]) + " m in direction " + "xyz"[d] +
                                "; the second must be larger"));
           counts[d] = static_cast<unsigned int>(number);
           n_vertices *= number + 1.;
         }
       AssertThrow(n_vertices < 1e8,
-                  ExcInput("Mesh: the box would have " + to_text(n_vertices) +
+                  ExcInput("Mesh/Subdivisions: the box would have " + to_text(n_vertices) +
                            " vertices; fewer than 100 million are possible"));
       return counts;
     }

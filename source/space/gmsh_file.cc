@@ -42,8 +42,10 @@ namespace Cautery
                                   "formats with gmsh or meshio"));
 
       std::ifstream file(file_name, std::ios::binary);
-      AssertThrow(file && file.peek() != std::ifstream::traits_type::eof(),
-                  ExcInput(name + " is missing, empty or not readable"));
+      AssertThrow(
+        file && file.peek() != std::ifstream::traits_type::eof(),
+        ExcInput(name +
+                 " is missing, empty or not readable; give Mesh/File name relative to the scene's folder"));
       const auto [first, last] = first_and_last_word(file);
       AssertThrow(format->first != ".msh" || first == "$MeshFormat" || first == "$NOD" ||
                     first == "$Comments",

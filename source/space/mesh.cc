@@ -77,7 +77,8 @@ namespace Cautery
     std::set<Id> ids(const std::map<Id, std::string> &names,
                      const std::vector<std::string>  &texts,
                      const std::string               &kind,
-                     const std::string               &mesh)
+                     const std::string               &mesh,
+                     const std::string               &parameter)
     {
       std::set<Id> found;
       for (const auto &text : texts)
@@ -93,7 +94,7 @@ namespace Cautery
           for (const auto &[id, name] : names)
             existing.push_back(std::to_string(id) + (name.empty() ? "" : " `" + name + "`"));
           AssertThrow(known,
-                      ExcInput("No " + kind + " `" + text + "` in the mesh " + mesh +
+                      ExcInput(parameter + ": there is no " + kind + " `" + text + "` in the mesh " + mesh +
                                "; give a name or number of: " + join(existing) + "; or all"));
         }
       return found;
@@ -206,15 +207,17 @@ namespace Cautery
   }
 
   template <int dim>
-  std::set<types::material_id> Mesh<dim>::region_ids(const std::vector<std::string> &texts) const
+  std::set<types::material_id> Mesh<dim>::region_ids(const std::vector<std::string> &texts,
+                                                     const std::string              &parameter) const
   {
-    return ids(region_names, texts, "region", label);
+    return ids(region_names, texts, "region", label, parameter);
   }
 
   template <int dim>
-  std::set<types::boundary_id> Mesh<dim>::surface_ids(const std::vector<std::string> &texts) const
+  std::set<types::boundary_id> Mesh<dim>::surface_ids(const std::vector<std::string> &texts,
+                                                      const std::string              &parameter) const
   {
-    return ids(surface_names, texts, "surface", label);
+    return ids(surface_names, texts, "surface", label, parameter);
   }
 
   template class Mesh<2>;

@@ -20,7 +20,7 @@ namespace Cautery
           const auto volumes = file.elements(3);
           AssertThrow(volumes.empty(),
                       ExcInput(file.label() + " has volume cells (" + count_text(volumes) +
-                               "), but the scene is two-dimensional; set the dimension to 3"));
+                               "), but the scene is two-dimensional; set Dimension = 3"));
         }
       AssertThrow(!cells.empty(),
                   ExcInput(file.label() + " has no cells of dimension " + std::to_string(dim) + ", only " +

@@ -110,7 +110,8 @@ namespace Cautery
 
   template <int dim>
   std::vector<std::optional<typename PointLocator<dim>::Location>>
-  PointLocator<dim>::find_inside(const std::vector<Point<dim>> &places, const std::string &name) const
+  PointLocator<dim>::find_inside(const std::vector<Point<dim>>  &places,
+                                 const std::vector<std::string> &names) const
   {
     const auto                           results = find(places);
     std::vector<std::optional<Location>> locations;
@@ -120,7 +121,7 @@ namespace Cautery
           {
             const Point<dim> vertex = nearest_vertex(places[p]);
             AssertThrow(false,
-                        ExcInput(name + ": " + text(places[p]) + " lies outside the mesh " + mesh.name() +
+                        ExcInput(names[p] + ": " + text(places[p]) + " lies outside the mesh " + mesh.name() +
                                  "; its nearest node is " + text(vertex) + ", " +
                                  to_text(vertex.distance(places[p])) + " m away"));
           }

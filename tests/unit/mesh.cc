@@ -289,12 +289,12 @@ namespace
       out << std::endl;
     };
     out << "Names: 1 7, 7, 0 2, 2" << std::endl;
-    print(mesh.region_ids({"all"}));
-    print(mesh.region_ids({"upper", "7"}));
-    print(mesh.surface_ids({"all"}));
-    print(mesh.surface_ids({"bottom"}));
-    refused("region", [&]() { mesh.region_ids({"lower", "liver"}); });
-    refused("interior surface", [&]() { mesh.surface_ids({"interface"}); });
+    print(mesh.region_ids({"all"}, "Who asks"));
+    print(mesh.region_ids({"upper", "7"}, "Who asks"));
+    print(mesh.surface_ids({"all"}, "Who asks"));
+    print(mesh.surface_ids({"bottom"}, "Who asks"));
+    refused("region", [&]() { mesh.region_ids({"lower", "liver"}, "Who asks"); });
+    refused("interior surface", [&]() { mesh.surface_ids({"interface"}, "Who asks"); });
   }
 
   /** Are @p place's coordinates in the corners' basis all positive (a tetrahedron contains it)? */
@@ -394,11 +394,12 @@ namespace
 
     const Mesh<3> mesh(box(MeshSettings::Cells::tetrahedra, {5}, sides), communicator);
     refused("outside", [&]() {
-      PointLocator<3>(mesh).find_inside({Point<3>(0.1, 0.1, 0.1), Point<3>(0.7, 1.1, 0.5)}, "Probe `tip`");
+      PointLocator<3>(mesh).find_inside({Point<3>(0.1, 0.1, 0.1), Point<3>(0.7, 1.1, 0.5)},
+                                        {"Probe `root`", "Probe `tip`"});
     });
     refused("not a number", [&]() {
       PointLocator<3>(mesh).find_inside({Point<3>(0., 0., std::numeric_limits<double>::quiet_NaN())},
-                                        "Probe `tip`");
+                                        {"Probe `tip`"});
     });
   }
 } // namespace

@@ -57,6 +57,7 @@ namespace Cautery
 
   private:
     void constrain(const BoundaryMap<dim> &boundaries);
+    void check_held() const;
     void initialize_matrices();
     void assemble(const Vector *temperature);
     void assemble_outer_load(const double time, Vector &force) const;

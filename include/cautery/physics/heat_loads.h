@@ -2,12 +2,8 @@
 #pragma once
 
 #include <cautery/physics/balance.h>
-#include <cautery/space/assignment.h>
-#include <cautery/space/field.h>
-#include <cautery/space/points.h>
+#include <cautery/physics/heat_distributions.h>
 
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace Cautery
@@ -56,32 +52,18 @@ namespace Cautery
     void record(const Step &step, Vector &nodal_heat, Received &received);
 
   private:
-    using Assemble = std::function<void(const double time, Vector &load, Vector *relaxed)>;
-
     struct Item
     {
       const HeatSource *source = nullptr; ///< none: through a surface, always there
-      Assemble          assemble;
-      bool              changes = false; ///< does the distribution change in time?
-      Vector            load;            ///< W per node for amplitude 1
-      Vector            relaxed;         ///< the same times tau, W s; non-Fourier only
+      HeatDistribution  distribution;
+      Vector            load;    ///< W per node for amplitude 1
+      Vector            relaxed; ///< the same times tau, W s; non-Fourier only
       double            sum       = 0.;
       double            delay     = 0.; ///< tau where it acts, s
       double            effective = 0.; ///< amplitude with which it really acts, at the last recorded time
     };
 
-    void     add_sources(const Scene &scene, const TissueMap<dim> &tissues, const PointLocator<dim> &locator);
-    void     add_surfaces(const std::vector<Boundary> &list,
-                          const TissueMap<dim>        &tissues,
-                          const BoundaryMap<dim>      &map);
-    void     add_item(Item item);
-    Assemble points(const PointSources &source,
-                    const std::string  &name,
-                    const TissueMap<dim> &,
-                    const PointLocator<dim> &) const;
-    template <typename Density>
-    Assemble
-    volume(const Density &density, const std::set<types::material_id> &regions, const TissueMap<dim> &) const;
+    void   add_item(const HeatSource *source, HeatDistribution distribution);
     void   assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const;
     double mean_amplitude(const Item &item, const Step &step) const;
     /** The amplitudes at both ends of a step, for the rate. */

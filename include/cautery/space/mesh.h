@@ -67,8 +67,10 @@ namespace Cautery
      * The ids that a user's texts mean: names, numbers, or "all". A name that several ids bear means all of
      * them. Errors: ExcInput that lists what there is.
      */
-    std::set<types::material_id> region_ids(const std::vector<std::string> &texts) const;
-    std::set<types::boundary_id> surface_ids(const std::vector<std::string> &texts) const;
+    std::set<types::material_id> region_ids(const std::vector<std::string> &texts,
+                                            const std::string              &parameter) const;
+    std::set<types::boundary_id> surface_ids(const std::vector<std::string> &texts,
+                                             const std::string              &parameter) const;
 
   private:
     std::unique_ptr<Triangulation<dim>> make_whole(const MeshSettings &settings);

@@ -42,11 +42,11 @@ namespace Cautery
     std::vector<Result> find(const std::vector<Point<dim>> &places) const;
 
     /**
-     * As `find`, for places that must lie within the body.
-     * Errors: ExcInput "@p name: (x, y, z) m lies outside ...", with the nearest node.
+     * As `find`, for places that must lie within the body, each with the name of who wants it.
+     * Errors: ExcInput "name: (x, y, z) m lies outside ...", with the nearest node.
      */
-    std::vector<std::optional<Location>> find_inside(const std::vector<Point<dim>> &places,
-                                                     const std::string             &name) const;
+    std::vector<std::optional<Location>> find_inside(const std::vector<Point<dim>>  &places,
+                                                     const std::vector<std::string> &names) const;
 
   private:
     using Cell = typename Triangulation<dim>::active_cell_iterator;
