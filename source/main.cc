@@ -94,7 +94,7 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     const bool needs_scene = line.command == "run" || line.command == "check";
     AssertThrow(words.size() == (needs_scene ? 1 : 0),
                 ExcInput("`" + line.command + "` takes " + (needs_scene ? "one scene" : "nothing more") +
-                         "; see cautery --help"));
+                         (words.empty() ? "" : ", not `" + join(words, " ") + "`") + "; see cautery --help"));
     if (needs_scene)
       line.scene = words.front();
     if (given.count("output"))
@@ -112,6 +112,7 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     if (line.command == "check")
       {
         const std::string description = simulation.description();
+        simulation.check();
         if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
           std::cout << description << "The scene is complete and consistent.\n";
         return;
@@ -120,6 +121,16 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     if (directory.empty())
       directory = "output/" + std::filesystem::path(line.scene).stem().string();
     simulation.run(directory);
+  }
+
+  std::string message_of(const std::exception &exception)
+  {
+    const auto *ours = dynamic_cast<const ExceptionBase *>(&exception);
+    if (ours == nullptr)
+      return exception.what();
+    std::ostringstream message;
+    ours->print_info(message);
+    return Utilities::trim(message.str());
   }
 
   void run(const CommandLine &line)
@@ -134,20 +145,17 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     if (line.scene.empty())
       return;
     const Scene scene = read_scene(line.scene, line.overrides);
-    if (scene.dimension == 2)
-      simulate<2>(line, scene);
-    else
-      simulate<3>(line, scene);
-  }
-
-  std::string message_of(const std::exception &exception)
-  {
-    const auto *ours = dynamic_cast<const ExceptionBase *>(&exception);
-    if (ours == nullptr)
-      return exception.what();
-    std::ostringstream message;
-    ours->print_info(message);
-    return Utilities::trim(message.str());
+    try
+      {
+        if (scene.dimension == 2)
+          simulate<2>(line, scene);
+        else
+          simulate<3>(line, scene);
+      }
+    catch (const ExcInput &exception)
+      {
+        AssertThrow(false, ExcInput(line.scene + ": " + message_of(exception)));
+      }
   }
 
   /// A process alone needs neither a daemon of Open MPI's nor a search for networks, which take as long as

@@ -64,22 +64,25 @@ namespace Cautery
   template <int dim>
   void Simulation<dim>::prepare_directory(const std::string &directory) const
   {
+    bool written = false;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         std::error_code error;
         std::filesystem::create_directories(directory, error);
+        std::filesystem::remove(directory + "/summary.json", error); // an earlier run's is not true any more
         std::ofstream complete(directory + "/scene.prm");
-        complete << scene.complete_text;
-        AssertThrow(complete,
-                    ExcInput("the output directory `" + directory +
-                             "` cannot be written; give another one with --output"));
+        complete << scene.complete_text << std::flush;
+        written = complete.good();
       }
-    MPI_Barrier(communicator);
+    AssertThrow(
+      Utilities::MPI::broadcast(communicator, written, 0),
+      ExcInput("the output directory `" + directory + "` cannot be written; give another one with --output"));
   }
 
   template <int dim>
   void Simulation<dim>::run(const std::string &directory)
   {
+    State state = problem->start(); // which may refuse the input: nothing must have been written
     prepare_directory(directory);
     Progress progress(
       Utilities::MPI::this_mpi_process(communicator) == 0, directory + "/log.txt", scene.time.end);
@@ -88,8 +91,8 @@ namespace Cautery
     if (scene.output.fields)
       others.push_back(std::make_unique<Fields<dim>>(directory));
 
-    State state = problem->start();
     extremes.observe(state, dim);
+    last_good = state;
     try
       {
         observe(state);
@@ -106,8 +109,8 @@ namespace Cautery
       {
         std::ostringstream reason;
         failure.print_info(reason);
-        observe(state); // the last good state
-        finish(state, directory, reason.str(), progress);
+        observe_last_good();
+        finish(last_good, directory, reason.str(), progress);
         throw;
       }
     finish(state, directory, "", progress);
@@ -122,10 +125,11 @@ namespace Cautery
     AssertThrow(state.step <= scene.time.max_steps,
                 ExcRun("Time/Largest number of steps = " + std::to_string(scene.time.max_steps) +
                        " was reached at t = " + to_text(state.time) + " s; allow more, or larger steps"));
-    extremes.observe(state, dim);
     AssertThrow(
-      !scene.effects.has_heat() || std::isfinite(extremes.hottest_now),
+      !scene.effects.has_heat() || std::isfinite(state.temperature.l1_norm()),
       ExcRun("the temperature is not finite at t = " + to_text(state.time) + " s; take a smaller Time/Step"));
+    extremes.observe(state, dim);
+    last_good = state;
     if (scene.output.every_step)
       progress.say(progress.line(state.time, state.step, extremes.hottest_now) + '\n');
     else
@@ -133,8 +137,24 @@ namespace Cautery
   }
 
   template <int dim>
+  void Simulation<dim>::observe_last_good()
+  {
+    if (observed == last_good.time)
+      return;
+    try
+      {
+        observe(last_good);
+      }
+    catch (const ExcRun &)
+      {
+        // What an output adds to the state may fail as the step did: the outputs before it stand.
+      }
+  }
+
+  template <int dim>
   void Simulation<dim>::observe(State &state)
   {
+    observed = state.time;
     problem->complete(state);
     extremes.observe(state, dim);
     std::optional<MechanicalFields<dim>> mechanical;

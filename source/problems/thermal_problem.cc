@@ -21,6 +21,11 @@ namespace Cautery
                 in_space<dim>(nodes.mapping().transform_unit_to_real_cell(cell, support[i])), 0.);
         }
     state.temperature.compress(VectorOperation::insert);
+    const double lowest = state.temperature.min();
+    AssertThrow(lowest >= 0.,
+                ExcInput("Initial state/Temperature = " + scene.initial_temperature.text() +
+                         ": it falls to " + to_text(lowest) +
+                         " K in the body; temperatures are absolute, from 0 K on"));
     if (scene.effects.heat == Effects::Heat::non_fourier)
       state.temperature_rate = nodes.vector();
   }

@@ -51,9 +51,9 @@ namespace Cautery
     {
       return {{"heat", chosen(e.heat, heat_choices)},
               {"heat sources", chosen(e.has_heat() && e.heat_sources)},
-              {"perfusion", chosen(e.has_heat() && e.perfusion)},
+              {"perfusion", chosen(e.perfusion)},
               {"perfusion stops in dead tissue", chosen(e.perfusion_stops_in_dead_tissue)},
-              {"metabolism", e.has_heat() ? chosen(e.metabolism, metabolism_choices) : ""},
+              {"metabolism", chosen(e.metabolism, metabolism_choices)},
               {"deformation", chosen(e.deformation, deformation_choices)},
               {"coupling", chosen(e.coupling, coupling_choices)},
               {"gravity", chosen(e.gravity)},
@@ -96,15 +96,18 @@ namespace Cautery
   void Effects::check() const
   {
     forbid(!has_heat() && !has_deformation(),
-           "neither Heat nor Deformation is on: there is nothing to simulate");
+           "neither Heat nor Deformation is on: there is nothing to simulate; turn one on");
+    forbid(perfusion && !has_heat(), "Perfusion needs Heat; turn Perfusion off or Heat on");
+    forbid(metabolism != Metabolism::off && !has_heat(),
+           "Metabolism needs Heat; turn Metabolism off or Heat on");
     forbid(coupling != Coupling::off && (!has_heat() || !has_deformation()),
            "Coupling needs both Heat and Deformation; turn it off or turn them on");
     forbid(has_damage() && !has_heat(), "Damage needs Heat; turn Damage off or Heat on");
     forbid(damage_needs_strain_energy() && !has_deformation(),
            "this Damage law needs strain energy; turn Deformation on or choose Arrhenius");
     forbid(perfusion_stops_in_dead_tissue && (!has_damage() || !perfusion),
-           "`Perfusion stops in dead tissue` needs Perfusion and Damage");
-    forbid(gravity && !has_deformation(), "Gravity needs Deformation");
+           "`Perfusion stops in dead tissue` needs Perfusion and Damage; turn it off or turn them on");
+    forbid(gravity && !has_deformation(), "Gravity needs Deformation; turn Gravity off or Deformation on");
   }
 
   std::vector<std::string> Effects::on() const

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cautery/scene/scene.h>
+#include <cautery/scene/scene_text.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <set>
 #include <sstream>
 
 namespace Cautery
@@ -36,96 +35,6 @@ namespace Cautery
 
   namespace
   {
-    using Path = std::vector<std::string>;
-
-    std::string override_text(const Override &given)
-    {
-      const auto  parts = Utilities::split_string_list(given.path, '/');
-      std::string text;
-      for (unsigned int i = 0; i + 1 < parts.size(); ++i)
-        text += "subsection " + parts[i] + "\n";
-      text += "set " + parts.back() + " = " + given.value + "\n";
-      for (unsigned int i = 0; i + 1 < parts.size(); ++i)
-        text += "end\n";
-      return text;
-    }
-
-    /**
-     * The scene's text with its overrides. Which entries exist depends on other entries (a subsection for
-     * each name, entries by a source's type), so these are peeked at before everything is declared.
-     */
-    class SceneText
-    {
-    public:
-      SceneText(const std::string &file_name, const std::vector<Override> &overrides)
-        : file_name(file_name), overrides(overrides)
-      {
-        std::ifstream file(file_name);
-        AssertThrow(file,
-                    ExcInput("the scene `" + file_name + "` cannot be read; give the path of a .prm file"));
-        std::ostringstream stream;
-        stream << file.rdbuf();
-        text = stream.str();
-      }
-
-      void parse(ParameterHandler &handler, const bool skip_undefined) const
-      {
-        parse(handler, text, file_name, skip_undefined);
-        for (const auto &given : overrides)
-          parse(handler,
-                override_text(given),
-                "--set \"" + given.path + "=" + given.value + "\"",
-                skip_undefined);
-      }
-
-      std::string peek(const Path &sections, const std::string &name, const std::string &default_value) const
-      {
-        ParameterHandler handler;
-        for (const auto &section : sections)
-          handler.enter_subsection(section);
-        handler.declare_entry(name, default_value);
-        for (unsigned int i = 0; i < sections.size(); ++i)
-          handler.leave_subsection();
-        parse(handler, true);
-        return handler.get(sections, name);
-      }
-
-      std::vector<std::string> peek_names(const std::string &section, const std::string &default_names) const
-      {
-        const auto names = Utilities::split_string_list(peek({section}, "Names", default_names), ',');
-        const std::set<std::string> unique(names.begin(), names.end());
-        AssertThrow(unique.size() == names.size(),
-                    ExcInput(file_name + ": " + section + "/Names = " + join(names) +
-                             ": a name stands twice; names must differ"));
-        return names;
-      }
-
-    private:
-      static void parse(ParameterHandler  &handler,
-                        const std::string &text,
-                        const std::string &origin,
-                        const bool         skip_undefined)
-      {
-        std::istringstream stream(text);
-        try
-          {
-            handler.parse_input(stream, origin, "", skip_undefined);
-          }
-        catch (const ExceptionBase &exception)
-          {
-            std::ostringstream reason;
-            exception.print_info(reason);
-            AssertThrow(false,
-                        ExcInput(origin + ": " + Utilities::trim(reason.str()) +
-                                 " (`cautery parameters` lists every section and entry)"));
-          }
-      }
-
-      const std::string           file_name;
-      const std::vector<Override> overrides;
-      std::string                 text;
-    };
-
     template <typename Item>
     void named_sections(Parameters        &p,
                         const std::string &section,
@@ -206,20 +115,38 @@ namespace Cautery
       return items;
     }
 
+    /// Puts the entry in front of the reason why @p make refuses its value.
+    template <typename Make>
+    auto made_from(const std::string &path, const std::string &value, const Make &make)
+    {
+      try
+        {
+          return make(value);
+        }
+      catch (const ExcInput &exception)
+        {
+          std::ostringstream reason;
+          exception.print_info(reason);
+          AssertThrow(false, ExcInput(path + " = " + value + ": " + Utilities::trim(reason.str())));
+          throw;
+        }
+    }
+
     /// A scene that has all named parts, with their defaults.
     Scene skeleton(const SceneText &text)
     {
       Scene scene;
       for (const auto &name : text.peek_names("Tissues", "tissue"))
         {
-          scene.tissues.push_back(
-            make_tissue(text.peek({"Tissues", name}, "Preset", tissue_presets().front())));
+          const std::string preset = text.peek({"Tissues", name}, "Preset", tissue_presets().front());
+          scene.tissues.push_back(made_from("Tissues/" + name + "/Preset", preset, make_tissue));
           scene.tissues.back().name = name;
         }
       for (const auto &name : text.peek_names("Heat sources", ""))
         {
           const std::string type = text.peek({"Heat sources", name}, "Type", heat_source_types().front());
-          scene.heat_sources.push_back({name, Schedule(), make_heat_source(type)});
+          scene.heat_sources.push_back(
+            {name, Schedule(), made_from("Heat sources/" + name + "/Type", type, make_heat_source)});
         }
       scene.boundaries   = named<Boundary>(text.peek_names("Boundaries", "outside"));
       scene.loads.points = named<PointLoad>(text.peek_names("Loads", ""));
@@ -276,20 +203,28 @@ namespace Cautery
         "Time/Integrator = IDA does not know inertia; choose backward Euler or Deformation = equilibrium");
       require(scene.effects.coupling != Effects::Coupling::two_way || !scene.elastic_properties_change(),
               "Effects/Coupling = two-way needs elastic properties that do not depend on temperature and "
-              "`Thermal stretch = linearised`");
+              "`Thermal stretch = linearised`; choose Coupling = expansion or such properties");
       require(scene.numerics.degree == 1 ||
                 scene.numerics.capacity_matrix == Numerics::CapacityMatrix::consistent,
-              "Numerics/Capacity matrix = lumped is for Element degree = 1 only");
-      for (unsigned int d = 0; d < scene.dimension; ++d)
-        require(scene.mesh.lower[d] < scene.mesh.upper[d],
-                "Mesh/Upper corner must lie above Lower corner in every coordinate");
+              "Numerics/Capacity matrix = lumped is for Element degree = 1 only; choose consistent");
+      require(ida || scene.time.end / scene.time.step <= scene.time.max_steps,
+              "Time/Step = " + to_text(scene.time.step) + " s makes " +
+                to_text(std::ceil(scene.time.end / scene.time.step)) +
+                " steps to Time/End, more than Largest number of steps = " +
+                std::to_string(scene.time.max_steps) + "; take a larger step or allow more");
+      require(scene.output.interval == 0. || scene.time.end / scene.output.interval <= scene.time.max_steps,
+              "Output/Interval = " + to_text(scene.output.interval) + " s makes " +
+                to_text(scene.time.end / scene.output.interval) +
+                " outputs, more than Time/Largest number of steps = " + std::to_string(scene.time.max_steps) +
+                "; take a larger interval");
     }
 
     void check(const Scene &scene)
     {
       require(!scene.tissues.empty(), "Tissues/Names is empty; name at least one tissue");
       require(!scene.initial_temperature.depends_on_time(),
-              "Initial state/Temperature = " + scene.initial_temperature.text() + ": it cannot depend on t");
+              "Initial state/Temperature = " + scene.initial_temperature.text() +
+                ": it cannot depend on t; it is that at t = 0");
       scene.effects.check();
       check_boundaries(scene);
       check_properties(scene);
@@ -297,7 +232,7 @@ namespace Cautery
       for (const double time : scene.output.times)
         require(time <= scene.time.end,
                 "Output/Times: " + to_text(time) + " s is after Time/End = " + to_text(scene.time.end) +
-                  " s");
+                  " s; take it out or run longer");
     }
 
     std::string resolved(const std::string &path, const std::string &scene_file)

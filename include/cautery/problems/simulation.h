@@ -27,6 +27,9 @@ namespace Cautery
     /** What it is going to do: effects, mesh, unknowns, memory, steps. */
     std::string description() const;
 
+    /** Makes the state at the start, as a run does, and forgets it. Errors: ExcInput, ExcRun. */
+    void check() { problem->start(); }
+
     /** Runs and writes into @p directory. Errors: ExcRun, after the last good state has been written. */
     void run(const std::string &directory);
 
@@ -34,6 +37,7 @@ namespace Cautery
     void      prepare_directory(const std::string &directory) const;
     void      advance(State &state, const double stop, Progress &progress);
     void      observe(State &state);
+    void      observe_last_good();
     RunRecord record(const State &state) const;
     void
     finish(const State &state, const std::string &directory, const std::string &failure, Progress &progress);
@@ -47,6 +51,8 @@ namespace Cautery
     std::unique_ptr<AblationZone<dim>>          ablation;
     std::vector<std::unique_ptr<Observer<dim>>> others;
     Extremes                                    extremes;
+    State                                       last_good;          ///< after the last complete step
+    double                                      observed     = -1.; ///< s; when the outputs were last asked
     double                                      loop_seconds = 0.;
   };
 } // namespace Cautery
