@@ -13,7 +13,7 @@ namespace Cautery
    * there: so a law can be applied tissue by tissue where properties jump. The average over a node's tissues
    * is `average`.
    *
-   * The gradients of the shape functions are kept, because damage may ask at every step.
+   * Kept as a sparse matrix from nodal values to gradients, because damage may ask at every step.
    */
   template <int dim>
   class NodalGradients
@@ -40,20 +40,15 @@ namespace Cautery
     std::vector<double> evaluate(const Field<dim> &field, const Vector &x) const;
 
   private:
-    /// What one cell gives to one of its nodes.
-    struct Contribution
+    /// What the value at one node gives to a piece's gradient.
+    struct Weight
     {
-      unsigned int piece;
-      unsigned int cell;      ///< into `cell_nodes`
-      unsigned int gradients; ///< into `shape_gradients`: of all shape functions at this node
-      double       weight;    ///< share of the piece's volume
+      unsigned int   node; ///< among the relevant ones
+      Tensor<1, dim> gradient;
     };
 
-    const Field<dim>                    &nodes;
-    const unsigned int                   per_cell;
-    std::vector<Piece>                   all_pieces;
-    std::vector<Contribution>            contributions;
-    std::vector<types::global_dof_index> cell_nodes;
-    std::vector<Tensor<1, dim>>          shape_gradients;
+    std::vector<Piece>       all_pieces;
+    std::vector<std::size_t> starts = {0}; ///< of each piece in `weights`
+    std::vector<Weight>      weights;
   };
 } // namespace Cautery
