@@ -105,16 +105,24 @@ namespace Cautery
   }
 
   template <int dim>
+  double DamageHistory<dim>::ln_gain(const double ln_start, const double ln_end, const double duration) const
+  {
+    if (quadrature == DamageSettings::Quadrature::end_of_step)
+      return ln_end + std::log(duration);
+    // Fluxes may start from nothing, where an exponential would only repeat the rounding they start with.
+    if (law == Effects::Damage::critical_thermal_load)
+      return ln_add(ln_start, ln_end) + std::log(0.5 * duration);
+    return ln_integral(ln_start, ln_end, duration);
+  }
+
+  template <int dim>
   void DamageHistory<dim>::advance(const double duration, State &state)
   {
     const auto rates = ln_rates(state);
     for (unsigned int node = 0; node < rates.size(); ++node)
       {
-        const double gain      = quadrature == DamageSettings::Quadrature::end_of_step ?
-                                   rates[node] + std::log(duration) :
-                                   ln_integral(last_ln_rates[node], rates[node], duration);
-        double      &ln_damage = state.ln_damage.begin()[node];
-        ln_damage              = ln_add(ln_damage, gain);
+        double &ln_damage = state.ln_damage.begin()[node];
+        ln_damage         = ln_add(ln_damage, ln_gain(last_ln_rates[node], rates[node], duration));
       }
     last_ln_rates = rates;
   }

@@ -16,9 +16,9 @@ namespace Cautery
       "Quadrature",
       quadrature,
       Choices<Quadrature>{{"exponential", Quadrature::exponential}, {"end of step", Quadrature::end_of_step}},
-      "How the rate of damage is integrated over a step: with a logarithm that runs straight, or with its "
-      "value "
-      "at the end (thesis Eq. 6-24)");
+      "How the rate of damage is integrated over a step: with a logarithm that runs straight (the critical "
+      "thermal load, linear in the flux, by the trapezoidal rule), or with its value at the end (thesis Eq. "
+      "6-24)");
   }
 
   bool Scene::thermal_properties_change() const

@@ -31,6 +31,7 @@ namespace Cautery
     void advance(const double duration, State &state);
 
   private:
+    double              ln_gain(const double ln_start, const double ln_end, const double duration) const;
     std::vector<double> ln_rates(const State &state) const;
     std::vector<double> strain_energies(const State &state) const;
     std::vector<double> heat_fluxes(const State &state) const;
