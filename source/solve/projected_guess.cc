@@ -2,45 +2,84 @@
 #include <cautery/solve/projected_guess.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/lapack_templates.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Cautery
 {
   namespace
   {
-    double dot(const double *x, const double *y, const std::size_t n)
+    using Numbers = std::vector<double>;
+
+    /// y += sign columns factors
+    void add(const Numbers &columns, const Numbers &factors, const double sign, Vector &y)
     {
-      // four chains, or the additions would wait for each other
-      double      sum[4] = {0., 0., 0., 0.};
-      std::size_t i      = 0;
-      for (; i + 4 <= n; i += 4)
-        for (unsigned int k = 0; k < 4; ++k)
-          sum[k] += x[i + k] * y[i + k];
-      for (; i < n; ++i)
-        sum[0] += x[i] * y[i];
-      return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+      const types::blas_int n = y.locally_owned_size(), n_columns = factors.size(), stride = 1;
+      const double          one = 1.;
+      if (n > 0 && n_columns > 0)
+        gemv(
+          "N", &n, &n_columns, &sign, columns.data(), &n, factors.data(), &stride, &one, y.begin(), &stride);
     }
 
-    /// result += sum of factor_j column_j
-    void combine(const std::vector<double> &columns,
-                 const std::vector<double> &factors,
-                 double                    *result,
-                 const std::size_t          n)
+    /// columns = columns combinations, these also one after the other
+    void recombine(Numbers &columns, const std::vector<Numbers> &combinations, const unsigned int n_columns)
     {
-      for (unsigned int j = 0; j < factors.size(); ++j)
+      const types::blas_int n = columns.size() / n_columns, n_old = n_columns, n_new = combinations.size();
+      const double          one = 1., zero = 0.;
+      Numbers               factors, result;
+      result.reserve(columns.capacity());
+      result.resize(n * n_new);
+      for (const auto &combination : combinations)
+        factors.insert(factors.end(), combination.begin(), combination.end());
+      if (n > 0 && n_new > 0)
+        gemm("N",
+             "N",
+             &n,
+             &n_new,
+             &n_old,
+             &one,
+             columns.data(),
+             &n,
+             factors.data(),
+             &n_old,
+             &zero,
+             result.data(),
+             &n);
+      columns.swap(result);
+    }
+
+    double product(const Numbers &x, const Numbers &y)
+    {
+      return std::inner_product(x.begin(), x.end(), y.begin(), 0.);
+    }
+
+    /// An orthonormal basis of the vectors' span, the last vector first; what is next to dependent is left
+    /// out.
+    std::vector<Numbers> orthonormal_basis(const std::vector<Numbers> &vectors)
+    {
+      std::vector<Numbers> basis;
+      for (auto vector = vectors.rbegin(); vector != vectors.rend(); ++vector)
         {
-          const double *const column = columns.data() + j * n;
-          const double        factor = factors[j];
-          for (std::size_t i = 0; i < n; ++i)
-            result[i] += factor * column[i];
+          Numbers      x     = *vector;
+          const double start = std::sqrt(product(x, x));
+          for (unsigned int round = 0; round < 2; ++round)
+            for (const auto &e : basis)
+              {
+                const double factor = product(e, x);
+                for (std::size_t i = 0; i < x.size(); ++i)
+                  x[i] -= factor * e[i];
+              }
+          const double norm = std::sqrt(product(x, x));
+          if (!(norm > 1e-10 * start))
+            continue;
+          for (double &value : x)
+            value /= norm;
+          basis.push_back(x);
         }
-    }
-
-    void negate(std::vector<double> &factors)
-    {
-      for (double &factor : factors)
-        factor = -factor;
+      return basis;
     }
   } // namespace
 
@@ -49,70 +88,90 @@ namespace Cautery
     n_directions = 0;
     directions.clear();
     images.clear();
+    solutions.clear();
   }
 
-  std::vector<double> ProjectedGuess::products(const std::vector<double> &columns, const Vector &x) const
+  ProjectedGuess::Coefficients ProjectedGuess::products(const Vector &x) const
   {
-    const std::size_t   n = x.locally_owned_size();
-    std::vector<double> result(n_directions);
-    for (unsigned int j = 0; j < n_directions; ++j)
-      result[j] = dot(columns.data() + j * n, x.begin(), n);
-    const MPI_Comm communicator = x.get_mpi_communicator();
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-      Utilities::MPI::sum(result, communicator, result);
+    Coefficients          result(n_directions, 0.);
+    const types::blas_int n = x.locally_owned_size(), n_columns = n_directions, stride = 1;
+    const double          one = 1., zero = 0.;
+    if (n > 0 && n_columns > 0)
+      gemv(
+        "T", &n, &n_columns, &one, directions.data(), &n, x.begin(), &stride, &zero, result.data(), &stride);
+    if (n_columns > 0)
+      Utilities::MPI::sum(result, x.get_mpi_communicator(), result);
     return result;
   }
 
-  void ProjectedGuess::apply(Vector &x, Vector &residual) const
+  void ProjectedGuess::apply(Vector &x, Vector &residual)
   {
     x = 0.;
-    if (n_directions == 0)
+    if (capacity == 0)
       return;
-    const std::size_t n       = x.locally_owned_size();
-    auto              factors = products(directions, residual);
-    combine(directions, factors, x.begin(), n);
-    negate(factors);
-    combine(images, factors, residual.begin(), n);
+    if (2 * solutions.size() >= capacity)
+      solutions.erase(solutions.begin());
+    solutions.push_back(products(residual));
+    add(directions, solutions.back(), 1., x);
+    add(images, solutions.back(), -1., residual);
   }
 
-  bool ProjectedGuess::add(const Vector &direction, const Vector &image)
+  /// False where nothing but rounding is left of the direction.
+  bool ProjectedGuess::orthonormalise(Vector &direction, Vector &image, Coefficients &removed) const
   {
-    const std::size_t n = direction.locally_owned_size();
-    Vector            d = direction, a = image;
-    const double      start = d * a;
-    // twice is enough: the second round removes what rounding left of the first
-    for (unsigned int round = 0; round < 2; ++round)
+    const double start  = direction * image;
+    double       square = start, last = 0.;
+    // once, and again where so much went away that its rounding matters: Daniel, Gragg, Kaufman and Stewart,
+    // Math. Comp. 30 (1976) 772-795
+    for (unsigned int round = 0; round < 2 && square > 0. && !(square > 0.5 * last && round > 0); ++round)
       {
-        auto factors = products(images, d);
-        negate(factors);
-        combine(directions, factors, d.begin(), n);
-        combine(images, factors, a.begin(), n);
+        const Coefficients factors = products(image);
+        add(directions, factors, -1., direction);
+        add(images, factors, -1., image);
+        std::transform(factors.begin(), factors.end(), removed.begin(), removed.begin(), std::plus<>());
+        last   = square;
+        square = direction * image;
       }
-    const double norm_square = d * a;
-    if (!(norm_square > 1e-20 * start))
+    if (!(square > 1e-20 * start))
       return false;
-    const double scale = 1. / std::sqrt(norm_square);
-    d *= scale;
-    a *= scale;
-    directions.insert(directions.end(), d.begin(), d.end());
-    images.insert(images.end(), a.begin(), a.end());
-    ++n_directions;
+    direction *= 1. / std::sqrt(square);
+    image *= 1. / std::sqrt(square);
+    removed.push_back(std::sqrt(square));
     return true;
   }
 
-  void ProjectedGuess::learn(const Vector &x,
-                             const Vector &image_of_x,
-                             const Vector &correction,
-                             const Vector &image)
+  void ProjectedGuess::learn(Vector &correction, Vector &image)
   {
     if (capacity == 0)
       return;
-    if (n_directions < capacity)
+    if (n_directions == capacity)
+      condense();
+    if (!orthonormalise(correction, image, solutions.back()))
+      return;
+    const std::size_t n = correction.locally_owned_size();
+    directions.reserve(n * capacity);
+    images.reserve(n * capacity);
+    directions.insert(directions.end(), correction.begin(), correction.end());
+    images.insert(images.end(), image.begin(), image.end());
+    ++n_directions;
+    for (auto &solution : solutions)
+      solution.resize(n_directions, 0.);
+  }
+
+  void ProjectedGuess::condense()
+  {
+    auto combinations = orthonormal_basis(solutions);
+    combinations.resize(
+      std::min<std::size_t>(combinations.size(), capacity - 1)); // there must be room for one more
+    recombine(directions, combinations, n_directions);
+    recombine(images, combinations, n_directions);
+    n_directions = combinations.size();
+    for (auto &solution : solutions)
       {
-        add(correction, image);
-        return;
+        Coefficients coefficients;
+        for (const auto &combination : combinations)
+          coefficients.push_back(product(combination, solution));
+        solution = coefficients;
       }
-    clear();
-    add(x, image_of_x);
   }
 } // namespace Cautery

@@ -133,7 +133,10 @@ namespace Cautery
   {
     repeat_until_settled(step, state, [&]() -> Vector & {
       if (prepare(step.length()))
-        solver.set_matrix(system);
+        {
+          const auto scope = cost.measure(name() + ": set-up");
+          solver.set_matrix(system);
+        }
       update_right_hand_side(step, state);
       const auto scope = cost.measure(name() + ": solve");
       n_iterations += solver.solve(rate, force);

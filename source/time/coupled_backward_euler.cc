@@ -90,9 +90,13 @@ namespace Cautery
   void CoupledBackwardEuler<dim>::prepare(const double new_length, const State &state)
   {
     if (heat.prepare(new_length))
-      heat_solver.set_matrix(heat.system_matrix());
+      {
+        const auto scope = cost.measure("heat: set-up");
+        heat_solver.set_matrix(heat.system_matrix());
+      }
     if (!deformation.prepare(new_length))
       return;
+    const auto scope = cost.measure("deformation: set-up");
     deformation_solver.set_matrix(deformation.system_matrix());
     cooling.copy_from(feedback.matrix());
     if (feedback.relaxes())

@@ -15,9 +15,12 @@ namespace Cautery
     Vector &x = state.*equation.unknown();
     if (!ready || equation.changes())
       {
-        const auto scope = cost.measure(equation.name() + ": assembly");
         if (equation.changes())
-          equation.refresh(state, x);
+          {
+            const auto scope = cost.measure(equation.name() + ": assembly");
+            equation.refresh(state, x);
+          }
+        const auto scope = cost.measure(equation.name() + ": set-up");
         solver.set_matrix(equation.stiffness().reduced);
         for (auto *vector : {&force, &solution, &product})
           vector->reinit(x);

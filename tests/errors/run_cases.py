@@ -77,9 +77,9 @@ NUMERICAL = [
          "the expression `log(-1 - x)` has no finite value at (0, 0, 0) m, 0 s; change the expression or its range",
          ["Initial state/Temperature=log(-1 - x)"], status=1, check_too=True),
     Case("a solver without iterations",
-         "CG + incomplete Cholesky did not converge in 1 iterations (residual <any>, asked <any>); choose Method = "
-         "direct or CG + AMG, or a larger Tolerance in the solver's section of Numerics",
-         ["Numerics/Heat solver/Method=CG + incomplete Cholesky", "Numerics/Heat solver/Largest number of iterations=1",
+         "CG + SSOR did not converge in 1 iterations; choose Method = direct or CG + AMG, or a larger Tolerance in the "
+         "solver's section of Numerics",
+         ["Numerics/Heat solver/Method=CG + SSOR", "Numerics/Heat solver/Largest number of iterations=1",
           "Numerics/Heat solver/Tolerance=1e-14"], last_good=0.0, status=1),
     Case("IDA without steps",
          "The largest number of steps, 2, is used up at t = 0.004 s (last step <any> s). Allow more steps or raise "

@@ -30,7 +30,7 @@ namespace Cautery
                  Modes                       near_null_space);
     ~LinearSolver();
 
-    /** The matrix from now on; it must live as long as it is solved with. */
+    /** The matrix from now on: sets up what solves with it. It must live as long as it is solved with. */
     void set_matrix(const SparseMatrix &matrix);
 
     /**
@@ -43,22 +43,24 @@ namespace Cautery
     /** Solves until the residual is below @p relative_tolerance times this right-hand side. */
     unsigned int solve(Vector &x, const Vector &b, const double relative_tolerance);
 
-    /** What is used, e.g. "CG + incomplete Cholesky". */
+    /** What is used, e.g. "CG + SSOR". */
     std::string description() const;
 
   private:
     struct Engine;
 
-    void         set_up();
+    void         set_up(const LinearSolverSettings::Method method);
     unsigned int solve_to(Vector &x, const Vector &b, const double goal);
+    unsigned int correct(const double reduction);
+    unsigned int apply(const double reduction);
 
     const LinearSolverSettings settings;
     const unsigned int         n_components;
     const Modes                near_null_space;
     const SparseMatrix        *matrix = nullptr;
-    std::unique_ptr<Engine>    engine; ///< made at the first solve with a matrix
+    std::unique_ptr<Engine>    engine; ///< of the matrix
     ProjectedGuess             guess;
     double                     largest_right_hand_side = 0.;
-    Vector                     residual, correction, image, whole_image;
+    Vector                     residual, solution, correction, image;
   };
 } // namespace Cautery

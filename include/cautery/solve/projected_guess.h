@@ -10,9 +10,9 @@ namespace Cautery
   /**
    * The best combination of earlier solutions as a first guess: Fischer, Comput. Methods Appl. Mech. Eng. 163
    * (1998) 193-204. Keeps an A-orthonormal basis of what earlier solves had to add to their guesses, together
-   * with its images under A, so that a guess and its residual cost inner products and no matrix. All arrays
-   * are local and contiguous, with one reduction over the processes for all products: for small systems that
-   * is what the time goes into.
+   * with its images under A, so that a guess and its residual cost three products with tall dense matrices
+   * (BLAS), one reduction over the processes, and no matrix. Once full, it keeps the span of the latest
+   * solutions, where Fischer starts again from one: a restart costs a dozen solves from poor guesses.
    */
   class ProjectedGuess
   {
@@ -23,23 +23,23 @@ namespace Cautery
     void clear();
 
     /** Sets @p x to the guess for A x = b and turns @p residual, on entry b, into b - A x. */
-    void apply(Vector &x, Vector &residual) const;
+    void apply(Vector &x, Vector &residual);
 
-    /**
-     * Learns the correction @p x - guess, with its image A (x - guess); once full, starts again from the
-     * whole solution @p x and its image.
-     */
-    void learn(const Vector &x, const Vector &image_of_x, const Vector &correction, const Vector &image);
-
-    unsigned int size() const { return n_directions; }
+    /** Learns what had to be added to the last guess, @p correction, with @p image = A correction; uses both
+     * up. */
+    void learn(Vector &correction, Vector &image);
 
   private:
-    std::vector<double> products(const std::vector<double> &columns, const Vector &x) const;
-    bool                add(const Vector &direction, const Vector &image);
+    using Coefficients = std::vector<double>; ///< one for each direction
 
-    const unsigned int  capacity;
-    unsigned int        n_directions = 0;
-    std::vector<double> directions; ///< one after the other
-    std::vector<double> images;
+    Coefficients products(const Vector &x) const;
+    bool         orthonormalise(Vector &direction, Vector &image, Coefficients &removed) const;
+    void         condense();
+
+    const unsigned int        capacity;
+    unsigned int              n_directions = 0;
+    std::vector<double>       directions; ///< this process' rows, one direction after the other
+    std::vector<double>       images;
+    std::vector<Coefficients> solutions; ///< the latest, the last one last
   };
 } // namespace Cautery
