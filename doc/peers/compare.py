@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Times Cautery beside FreeFEM on the benchmark cube and writes the table into doc/performance.md.
+"""Times Cautery on the benchmark cube and writes tables into doc/performance.md.
 
-Usage: compare.py [--repeat R] [N ...]         (default: 5 repeats of N = 10 and 20)
-Needs Debian's freefem++ and libfreefem++. Both run by turns on one core; medians are quoted.
+Usage: compare.py [--repeat R] peers [N ...]     beside FreeFEM (Debian's freefem++ and libfreefem++)
+       compare.py [--repeat R] growth [N ...]    how time and memory grow with the mesh
+All run by turns on one core; medians of R runs (default 5) are quoted. Default sizes: 10 and 20.
 """
 import argparse
 import csv
 import json
+import math
 import os
 import pathlib
 import statistics
@@ -19,7 +21,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1",
                "FF_LOADPATH": "/usr/lib/freefem++/;;"}
-BEGIN, END = "<!-- peers: begin -->", "<!-- peers: end -->"
+CASES = ((False, "heat", ()),
+         (True, "heat and displacement at every step", ()),
+         (True, "heat, displacement at outputs", ("Numerics/Displacement at=output times",)))
 
 
 def measured(command):
@@ -48,18 +52,19 @@ def freefem(n, deformation, folder):
 
 
 def cautery(n, deformation, folder, *settings):
-    scene = ROOT / "prm" / "benchmarks" / f"cube_heat{'_deformation' if deformation else ''}_{n}.prm"
-    arguments = [word for setting in settings for word in ("--set", setting)]
+    scene = ROOT / "prm" / "benchmarks" / f"cube_heat{'_deformation' if deformation else ''}_10.prm"
+    arguments = [word for setting in (f"Mesh/Subdivisions={n}", *settings) for word in ("--set", setting)]
     wall, memory, _ = measured([ROOT / "build" / "cautery", scene, "--output", folder / "out", *arguments])
-    cost = json.loads((folder / "out" / "summary.json").read_text())["cost"]
+    summary = json.loads((folder / "out" / "summary.json").read_text())
+    cost = summary["cost"]
     with open(folder / "out" / "probes.csv", newline="") as file:
         probes = {(int(float(r["time_s"])), r["probe"]): (float(r["temperature_K"]),
                                                          float(r.get("displacement_x_m") or 0))
                   for r in csv.DictReader(file)}
-    set_up = sum(s for part, s in cost["seconds_by_part"].items() if "set-up" in part)
-    loop = 120 * cost["seconds_per_step"] - sum(s for part, s in cost["seconds_by_part"].items()
-                                                if part.endswith(": set-up"))
-    return {"loop": loop, "wall": wall, "memory": memory, "set-up": set_up, "probes": probes}
+    # what is set up once, at the first step, is booked by itself
+    set_up = sum(s for part, s in cost["seconds_by_part"].items() if part.endswith(": set-up"))
+    return {"loop": 120 * cost["seconds_per_step"] - set_up, "wall": wall, "memory": memory, "probes": probes,
+            "unknowns": sum(summary["unknowns"].values())}
 
 
 def disagreement(ours, theirs):
@@ -75,37 +80,53 @@ def median(runs, key):
     return statistics.median(run[key] for run in runs)
 
 
-def row(n, name, ours, theirs, folder, repeat):
-    pairs = [(ours(), theirs()) for _ in range(repeat)]
-    us, them = zip(*pairs)
-    apart = disagreement(us[0]["probes"], them[0]["probes"])
-    return (f"| {n} | {name} | {median(us, 'loop'):.4f} | {median(them, 'loop'):.4f} | "
-            f"{median(us, 'loop') / median(them, 'loop'):.2f} | {median(us, 'wall'):.2f} | {median(them, 'wall'):.2f} | "
-            f"{median(us, 'memory'):.0f} | {median(them, 'memory'):.0f} | {apart:.0e} |")
+def beside_freefem(sizes, repeat, folder):
+    yield ("| n | case | Cautery, loop s | FreeFEM, loop s | ratio | Cautery, process s | FreeFEM, process s | "
+           "Cautery, MB | FreeFEM, MB | disagreement |")
+    yield "|" + "---|" * 10
+    for n in sizes:
+        subprocess.run([sys.executable, HERE / "kuhn_mesh.py", str(n), folder / f"{n}.mesh"], check=True)
+        for deformation, case, settings in CASES:
+            us, them = zip(*((cautery(n, deformation, folder, *settings), freefem(n, deformation, folder))
+                             for _ in range(repeat)))
+            yield (f"| {n} | {case} | {median(us, 'loop'):.4f} | {median(them, 'loop'):.4f} | "
+                   f"{median(us, 'loop') / median(them, 'loop'):.2f} | {median(us, 'wall'):.2f} | "
+                   f"{median(them, 'wall'):.2f} | {median(us, 'memory'):.0f} | {median(them, 'memory'):.0f} | "
+                   f"{disagreement(us[0]['probes'], them[0]['probes']):.0e} |")
+
+
+def growth(sizes, repeat, folder):
+    yield ("| n | case | unknowns N | loop s | loop, ns per step and N log2 N | process s | "
+           "process, us per N log2 N | MB |")
+    yield "|" + "---|" * 8
+    for deformation, case, settings in CASES:
+        for n in sizes:
+            runs = [cautery(n, deformation, folder, *settings) for _ in range(repeat)]
+            unknowns = runs[0]["unknowns"]
+            size = unknowns * math.log2(unknowns)
+            yield (f"| {n} | {case} | {unknowns} | {median(runs, 'loop'):.4f} | "
+                   f"{median(runs, 'loop') / 120 / size * 1e9:.2f} | {median(runs, 'wall'):.2f} | "
+                   f"{median(runs, 'wall') / size * 1e6:.2f} | {median(runs, 'memory'):.0f} |")
+
+
+TABLES = {"peers": beside_freefem, "growth": growth}
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--repeat", type=int, default=5)
+    parser.add_argument("table", choices=TABLES)
     parser.add_argument("sizes", type=int, nargs="*", default=[10, 20])
     arguments = parser.parse_args()
-    lines = ["| n | case | Cautery, loop s | FreeFEM, loop s | ratio | Cautery, process s | FreeFEM, process s | "
-             "Cautery, MB | FreeFEM, MB | disagreement |", "|" + "---|" * 10]
+    lines = []
     with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        for n in arguments.sizes:
-            subprocess.run([sys.executable, HERE / "kuhn_mesh.py", str(n), folder / f"{n}.mesh"], check=True)
-            for deformation, case, settings in (
-                    (False, "heat", ()),
-                    (True, "heat and displacement at every step", ()),
-                    (True, "heat, displacement at outputs", ("Numerics/Displacement at=output times",))):
-                lines.append(row(n, case, lambda: cautery(n, deformation, folder, *settings),
-                                 lambda: freefem(n, deformation, folder), folder, arguments.repeat))
-                print(lines[-1], flush=True)
+        for line in TABLES[arguments.table](arguments.sizes, arguments.repeat, pathlib.Path(name)):
+            lines.append(line)
+            print(line, flush=True)
     page = ROOT / "doc" / "performance.md"
-    text = page.read_text()
-    before, rest = text.split(BEGIN)
-    page.write_text(before + BEGIN + "\n" + "\n".join(lines) + "\n" + END + rest.split(END)[1])
+    begin, end = (f"<!-- {arguments.table}: {word} -->" for word in ("begin", "end"))
+    before, rest = page.read_text().split(begin)
+    page.write_text(before + begin + "\n" + "\n".join(lines) + "\n" + end + rest.split(end)[1])
 
 
 if __name__ == "__main__":
