@@ -101,8 +101,8 @@ namespace Cautery
             while (state.time < time)
               advance(state, time, progress);
             observe(state);
-            progress.say(progress.line(state.time, state.step, extremes.reduced(communicator).hottest_now) +
-                         '\n');
+            if (!scene.output.every_step)
+              say_step(state, progress);
           }
       }
     catch (const ExcRun &failure)
@@ -114,6 +114,12 @@ namespace Cautery
         throw;
       }
     finish(state, directory, "", progress);
+  }
+
+  template <int dim>
+  void Simulation<dim>::say_step(const State &state, Progress &progress) const
+  {
+    progress.say(progress.line(state.time, state.step, extremes.reduced(communicator).hottest_now) + '\n');
   }
 
   template <int dim>
@@ -131,7 +137,7 @@ namespace Cautery
     extremes.observe(state, dim);
     last_good = state;
     if (scene.output.every_step)
-      progress.say(progress.line(state.time, state.step, extremes.hottest_now) + '\n');
+      say_step(state, progress);
     else
       progress.show(state.time, state.step, extremes.hottest_now);
   }

@@ -38,6 +38,7 @@ namespace Cautery
     void      advance(State &state, const double stop, Progress &progress);
     void      observe(State &state);
     void      observe_last_good();
+    void      say_step(const State &state, Progress &progress) const; ///< collective
     RunRecord record(const State &state) const;
     void
     finish(const State &state, const std::string &directory, const std::string &failure, Progress &progress);
