@@ -60,7 +60,10 @@ namespace Cautery
   template <int dim>
   std::map<std::string, types::global_dof_index> MechanicalProblem<dim>::unknowns() const
   {
-    return {{"displacement", field.n_unknowns()}};
+    std::map<std::string, types::global_dof_index> result = {{"displacement", field.n_unknowns()}};
+    if (integrator)
+      result["displacement_rate"] = field.n_unknowns();
+    return result;
   }
 
   template <int dim>

@@ -122,6 +122,8 @@ namespace Cautery
                                                              {"displacement", field.n_unknowns()}};
     if (heat.relaxes())
       result["temperature_rate"] = body.nodes.n_unknowns();
+    if (elasticity.rate() != nullptr)
+      result["displacement_rate"] = field.n_unknowns();
     return result;
   }
 
