@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/physics/elastic_cell.h>
 #include <cautery/physics/elasticity.h>
 #include <cautery/physics/rigid_motions.h>
 #include <cautery/physics/rollers.h>
@@ -71,8 +72,10 @@ namespace Cautery
       outer_load_changes = outer_load_changes || boundary.traction.depends_on_time();
     outer_load = displacement.vector();
     assemble_outer_load(0., outer_load);
+    if (has_inertia)
+      assemble_mass();
     if (!properties_change)
-      assemble(nullptr);
+      assemble_stiffness(nullptr);
   }
 
   template <int dim>
@@ -124,86 +127,46 @@ namespace Cautery
   }
 
   template <int dim>
-  void Elasticity<dim>::assemble(const Vector *temperature)
+  void Elasticity<dim>::assemble_stiffness(const Vector *temperature)
   {
-    const auto                          &fe = displacement.element();
-    FEValues<dim>                        values(nodes.mapping(),
-                         nodes.element(),
-                         nodes.cell_quadrature(),
-                         update_values | update_gradients | update_JxW_values);
-    const unsigned int                   n = fe.n_dofs_per_cell();
-    FullMatrix<double>                   stiffness(n, n), inertia(n, n);
-    dealii::Vector<double>               local_load(n);
-    std::vector<types::global_dof_index> dofs(n);
-    std::vector<double>                  temperatures(values.n_quadrature_points);
+    ElasticCellTerms<dim> terms(displacement, nodes);
     elastic.reduced = 0.;
     elastic.full    = 0.;
     thermal_load    = 0.;
-
-    auto node_cell = nodes.dof_handler().begin_active();
     for (const auto &cell : displacement.dof_handler().active_cell_iterators())
       {
-        if (cell->is_locally_owned())
-          {
-            const Tissue &tissue = tissues[cell->material_id()];
-            values.reinit(node_cell);
-            if (temperature != nullptr)
-              values.get_function_values(*temperature, temperatures);
-            stiffness  = 0.;
-            inertia    = 0.;
-            local_load = 0.;
-            for (const unsigned int q : values.quadrature_point_indices())
-              {
-                Lame         lame = tissue.elastic.lame(temperatures[q]);
-                const double factor =
-                  properties_change ? tissue.expansion.stiffness_factor(temperatures[q]) : 1.;
-                const double pressure =
-                  properties_change ?
-                    lame.bulk_modulus() * tissue.expansion.pressure_factor(temperatures[q]) :
-                    0.;
-                lame.lambda *= factor * values.JxW(q);
-                lame.mu *= factor * values.JxW(q);
-                const double mass_weight = tissue.thermal.density * values.JxW(q);
-                for (unsigned int i = 0; i < n; ++i)
-                  {
-                    const auto [ci, ni]       = fe.system_to_component_index(i);
-                    const Tensor<1, dim> &g_i = values.shape_grad(ni, q);
-                    local_load(i) += pressure * g_i[ci] * values.JxW(q);
-                    for (unsigned int j = 0; j < n; ++j)
-                      {
-                        const auto [cj, nj]       = fe.system_to_component_index(j);
-                        const Tensor<1, dim> &g_j = values.shape_grad(nj, q);
-                        stiffness(i, j) += lame.lambda * g_i[ci] * g_j[cj] + lame.mu * g_i[cj] * g_j[ci];
-                        if (ci == cj)
-                          {
-                            stiffness(i, j) += lame.mu * (g_i * g_j);
-                            if (has_inertia)
-                              inertia(i, j) +=
-                                mass_weight * values.shape_value(ni, q) * values.shape_value(nj, q);
-                          }
-                      }
-                  }
-              }
-            cell->get_dof_indices(dofs);
-            fixed.distribute_local_to_global(stiffness, dofs, elastic.reduced);
-            if (needs_full)
-              nothing_fixed.distribute_local_to_global(stiffness, dofs, elastic.full);
-            if (has_inertia && temperature == nullptr)
-              {
-                fixed.distribute_local_to_global(inertia, dofs, mass.reduced);
-                nothing_fixed.distribute_local_to_global(inertia, dofs, mass.full);
-              }
-            if (properties_change)
-              thermal_load.add(dofs, local_load);
-          }
-        ++node_cell;
+        if (!cell->is_locally_owned())
+          continue;
+        const Tissue &tissue = tissues[cell->material_id()];
+        terms.reinit(cell, tissue, temperature);
+        terms.add_stiffness(tissue);
+        fixed.distribute_local_to_global(terms.stiffness, terms.dofs, elastic.reduced);
+        if (needs_full)
+          nothing_fixed.distribute_local_to_global(terms.stiffness, terms.dofs, elastic.full);
+        if (properties_change)
+          thermal_load.add(terms.dofs, terms.thermal_load);
       }
-    for (auto *matrix : {&elastic, &mass})
-      {
-        matrix->reduced.compress(VectorOperation::add);
-        matrix->full.compress(VectorOperation::add);
-      }
+    elastic.reduced.compress(VectorOperation::add);
+    elastic.full.compress(VectorOperation::add);
     thermal_load.compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  void Elasticity<dim>::assemble_mass()
+  {
+    ElasticCellTerms<dim> terms(displacement, nodes);
+    for (const auto &cell : displacement.dof_handler().active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const Tissue &tissue = tissues[cell->material_id()];
+        terms.reinit(cell, tissue, nullptr);
+        terms.add_mass(tissue);
+        fixed.distribute_local_to_global(terms.mass, terms.dofs, mass.reduced);
+        nothing_fixed.distribute_local_to_global(terms.mass, terms.dofs, mass.full);
+      }
+    mass.reduced.compress(VectorOperation::add);
+    mass.full.compress(VectorOperation::add);
   }
 
   template <int dim>
@@ -279,7 +242,7 @@ namespace Cautery
   bool Elasticity<dim>::refresh(const State &state, const Vector &)
   {
     const Vector temperature = nodes.ghosted(state.temperature);
-    assemble(&temperature);
+    assemble_stiffness(&temperature);
     return true;
   }
 

@@ -99,8 +99,15 @@ namespace Cautery
                                                   const State                     &state,
                                                   const std::function<Vector &()> &solve)
   {
-    if (!equation.changes())
+    const auto refresh = [&](const Vector &iterate) {
+      const auto scope = cost.measure(name() + ": assembly");
+      if (equation.refresh(state, iterate))
+        system_length = 0.;
+    };
+    if (!equation.depends_on_iterate())
       {
+        if (equation.changes())
+          refresh(state.*equation.unknown());
         solve();
         return;
       }
@@ -116,11 +123,7 @@ namespace Cautery
                            std::to_string(numerics.max_iterations) +
                            " rounds in the step to t = " + to_text(step.to) + " s (last change " +
                            to_text(change) + "); take a smaller Time/Step"));
-        {
-          const auto scope = cost.measure(name() + ": assembly");
-          if (equation.refresh(state, iterate))
-            system_length = 0.;
-        }
+        refresh(iterate);
         Vector next = state.*equation.unknown();
         next.add(step.length(), complete(solve()));
         iterate -= next;

@@ -61,6 +61,8 @@ namespace Cautery
 
     /** Do the matrices depend on the state? */
     virtual bool changes() const = 0;
+    /** Do they, or the load, depend on the balance's own unknown, so that a step must be repeated? */
+    virtual bool depends_on_iterate() const { return changes(); }
 
     /**
      * Assembles anew for a step of the given length from @p state to the iterate @p x. Returns whether the

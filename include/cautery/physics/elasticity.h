@@ -40,6 +40,7 @@ namespace Cautery
     bool               prescription_changes() const override { return prescribed.depends_on_time(); }
     void               load(const Step &step, const State &state, Vector &force) const override;
     bool               changes() const override { return properties_change; }
+    bool               depends_on_iterate() const override { return false; }
     bool               refresh(const State &state, const Vector &x) override;
     const LinearSolverSettings &solver_settings() const override { return scene.numerics.deformation_solver; }
     unsigned int                n_components() const override { return dim; }
@@ -59,7 +60,9 @@ namespace Cautery
     void constrain(const BoundaryMap<dim> &boundaries);
     void check_held() const;
     void initialize_matrices();
-    void assemble(const Vector *temperature);
+    /** Where the tissue has the @p temperature (with ghosts), or nullptr for its reference temperature. */
+    void assemble_stiffness(const Vector *temperature);
+    void assemble_mass();
     void assemble_outer_load(const double time, Vector &force) const;
     void add_point_loads(const double time, Vector &force) const;
 
