@@ -17,6 +17,11 @@ namespace Cautery
         !spread || share > 1e-3,
         ExcInput("Heat sources/" + source.name + ": of 1 W only " + to_text(share) +
                  " W falls on the body; its Centre lies outside, or it is far narrower than the cells"));
+      AssertThrow(
+        !spread || share < 1.05,
+        ExcInput("Heat sources/" + source.name + ": of 1 W " + to_text(share) +
+                 " W would fall on the body: it is narrower than the cells; refine the mesh, or take a wider "
+                 "source or one of type points"));
     }
   } // namespace
 
@@ -97,11 +102,11 @@ namespace Cautery
   {
     if (item.source == nullptr)
       return {1., 1.};
-    const auto  &schedule = item.source->schedule;
-    const double share    = schedule.share(step.from, step.to);
-    // Taking the state just before each time makes the differences telescope: every jump counts exactly once.
-    return {item.source->amplitude(step.from) * (jumps ? active_before(schedule, step.from) : share),
-            item.source->amplitude(step.to) * (jumps ? active_before(schedule, step.to) : share)};
+    const double share = item.source->schedule.share(step.from, step.to);
+    // From the mean of one step to the mean of the next: so a switch inside a step acts as the share that the
+    // load has there, and every jump counts once.
+    return {item.source->amplitude(step.from) * (jumps ? item.last_share : share),
+            item.source->amplitude(step.to) * share};
   }
 
   template <int dim>
@@ -227,35 +232,49 @@ namespace Cautery
   }
 
   template <int dim>
-  void HeatLoads<dim>::record(const Step &step, Vector &nodal_heat, Received &received)
+  void HeatLoads<dim>::record(const Step &step, const bool trapezoid, Vector &nodal_heat, Received &received)
   {
+    using End = std::pair<double, double>; // its time, and its part of the step
+    const std::vector<End> ends =
+      trapezoid ? std::vector<End>{{step.from, 0.5}, {step.to, 0.5}} : std::vector<End>{{step.to, 1.}};
     for (auto &item : items)
       {
-        double amplitude = mean_amplitude(item, step);
-        if (item.source != nullptr && non_fourier && !(jumps && item.distribution.changes))
+        const bool delayed = item.source != nullptr && non_fourier && !jumps;
+        if (delayed)
           {
-            // A source acts as s with tau s' + s = a + tau a': other than a where its jumps are neglected,
-            // and after a switch inside a step, of which a holds the share and a' the whole jump.
+            // A source without its jumps acts as s with tau s' + s = a + tau a'.
             const auto [before, after] = end_amplitudes(item, step);
             const double decay         = item.delay / step.length();
-            item.effective = (decay * (item.effective + after - before) + amplitude) / (1. + decay);
-            amplitude      = item.effective;
+            item.effective =
+              (decay * (item.effective + after - before) + mean_amplitude(item, step)) / (1. + decay);
           }
-        double heat = amplitude * step.length();
-        if (item.distribution.changes)
+        if (item.source != nullptr)
+          item.last_share = item.source->schedule.share(step.from, step.to);
+        for (const auto &[time, part] : ends)
           {
-            Vector load = field.vector();
-            assemble_now(item, step.to, load, nullptr);
-            nodal_heat.add(heat, load);
-            heat *= load.mean_value() * load.size();
+            const double amplitude = delayed                ? item.effective :
+                                     item.source == nullptr ? 1. :
+                                                              item.source->amplitude(time) * item.last_share;
+            book(item, time, amplitude * part * step.length(), nodal_heat, received);
           }
-        else
-          {
-            nodal_heat.add(heat, item.load);
-            heat *= item.sum;
-          }
-        (item.source != nullptr ? received.sources : received.surfaces) += heat;
       }
+  }
+
+  template <int dim>
+  void HeatLoads<dim>::book(
+    const Item &item, const double time, const double seconds, Vector &nodal_heat, Received &received) const
+  {
+    double heat = seconds * item.sum;
+    if (item.distribution.changes)
+      {
+        Vector load = field.vector();
+        assemble_now(item, time, load, nullptr);
+        nodal_heat.add(seconds, load);
+        heat = seconds * load.mean_value() * load.size();
+      }
+    else
+      nodal_heat.add(seconds, item.load);
+    (item.source != nullptr ? received.sources : received.surfaces) += heat;
   }
 
   template class HeatLoads<2>;

@@ -48,8 +48,11 @@ namespace Cautery
       double surfaces = 0.;
     };
 
-    /** Books the heat of @p step: adds it node by node to @p nodal_heat (J) and in sum to @p received. */
-    void record(const Step &step, Vector &nodal_heat, Received &received);
+    /**
+     * Books the heat of @p step: adds it node by node to @p nodal_heat (J) and in sum to @p received. What
+     * changes in time counts with the mean of both ends (@p trapezoid), or with the end.
+     */
+    void record(const Step &step, const bool trapezoid, Vector &nodal_heat, Received &received);
 
   private:
     struct Item
@@ -58,13 +61,19 @@ namespace Cautery
       HeatDistribution  distribution;
       Vector            load;    ///< W per node for amplitude 1
       Vector            relaxed; ///< the same times tau, W s; non-Fourier only
-      double            sum       = 0.;
-      double            delay     = 0.; ///< tau where it acts, s
-      double            effective = 0.; ///< amplitude with which it really acts, at the last recorded time
+      double            sum        = 0.;
+      double            delay      = 0.; ///< tau where it acts, s
+      double            last_share = 0.; ///< of the last recorded step in which it was on
+      double            effective  = 0.; ///< amplitude with which it really acts, where jumps are neglected
     };
 
     void   add_item(const HeatSource *source, HeatDistribution distribution);
     void   assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const;
+    void   book(const Item  &item,
+                const double time,
+                const double seconds,
+                Vector      &nodal_heat,
+                Received    &received) const;
     double mean_amplitude(const Item &item, const Step &step) const;
     /** The amplitudes at both ends of a step, for the rate. */
     std::pair<double, double> end_amplitudes(const Item &item, const Step &step) const;
