@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/agreement.h>
 #include <cautery/base/version.h>
 #include <cautery/problems/simulation.h>
 
@@ -47,7 +48,7 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     option("set",
            options::value<std::vector<std::string>>()->composing(),
            "\"Section/Entry=value\": replace an entry of the scene (may be given again)");
-    option("help", "print this");
+    option("help,h", "print this");
     option("version", "print the version");
     return description;
   }
@@ -70,7 +71,12 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     positions.add("words", -1);
     try
       {
-        options::store(options::command_line_parser(argc, argv).options(all).positional(positions).run(),
+        using namespace options::command_line_style;
+        options::store(options::command_line_parser(argc, argv)
+                         .options(all)
+                         .positional(positions)
+                         .style(default_style & ~allow_guessing)
+                         .run(),
                        given);
       }
     catch (const options::error &error)
@@ -173,12 +179,17 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     setenv("OMPI_MCA_btl", "self", keep);
   }
 
-  /// One process says what all have met; a failure of one process alone is not waited for by the others.
+  /// One process says what all have met. What one has met alone it says itself, and ends the others, which
+  /// wait for it.
   ExitStatus report(const std::exception &exception, const ExitStatus status)
   {
     const unsigned int process = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
-    if (process == 0)
-      std::cerr << "cautery: " << message_of(exception) << std::endl;
+    const bool         alone   = !all_processes_come(MPI_COMM_WORLD);
+    if (process == 0 || alone)
+      std::cerr << "cautery: " << message_of(exception)
+                << (alone ? " (on process " + std::to_string(process) + " alone)" : "") << std::endl;
+    if (alone)
+      MPI_Abort(MPI_COMM_WORLD, status);
     return status;
   }
 } // namespace
