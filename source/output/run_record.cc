@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,9 @@ namespace Cautery
   namespace
   {
     using Json = nlohmann::ordered_json;
+
+    /// Relative error of the books of heat beyond which a run is not to be trusted.
+    constexpr double open_books = 0.02;
 
     Json extremes_json(const RunRecord &record)
     {
@@ -112,13 +116,22 @@ namespace Cautery
               << std::setprecision(6);
       }
     if (balance)
-      out << "Heat           " << balance->sources << " J put in" << depth << ", balance closed to "
-          << std::setprecision(2) << balance->relative_error() << " of what moved\n";
+      {
+        out << "Heat           " << balance->sources << " J put in" << depth << ", balance closed to "
+            << std::setprecision(2) << balance->relative_error() << " of what moved\n";
+        if (balance->relative_error() > open_books)
+          out << "               WARNING: heat is lost or made. Does a power, flux or temperature jump by "
+                 "itself? Then take `Switch on at`, smaller steps or tolerances.\n";
+      }
     out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps
         << " steps on " << processes << (processes == 1 ? " process" : " processes") << ", "
         << std::setprecision(0) << std::fixed << 1e-6 * peak_memory << " MB at most\n"
         << std::defaultfloat << std::setprecision(3);
+    std::vector<std::pair<double, std::string>> parts;
     for (const auto &[part, seconds] : seconds_by_part)
+      parts.emplace_back(seconds, part);
+    std::sort(parts.rbegin(), parts.rend());
+    for (const auto &[seconds, part] : parts)
       out << "               " << std::setw(10) << seconds << " s  " << part << '\n';
     return out.str();
   }

@@ -10,13 +10,16 @@ namespace Cautery
   namespace
   {
     double sum(const Vector &x) { return x.mean_value() * x.size(); }
+
+    /// Less heat than this (J) comes from rounding where none moves.
+    constexpr double rounding = 1e-11;
   } // namespace
 
   double HeatTotals::relative_error() const
   {
     const double moved = std::abs(sources) + std::abs(metabolism) + std::abs(stored) + std::abs(blood) +
                          std::abs(boundary) + std::abs(expansion);
-    return moved > 0. ? std::abs(error()) / moved : 0.;
+    return moved > rounding ? std::abs(error()) / moved : 0.;
   }
 
   template <int dim>
@@ -58,7 +61,7 @@ namespace Cautery
     const double  dt       = step.length();
     const bool    implicit = rule == Rule::end_of_step;
     const Vector &before   = implicit ? now.temperature : last_temperature;
-    heat.loads().record(step, delivered, received);
+    heat.loads().record(step, !implicit, delivered, received);
     temperature_integral.add(0.5 * dt, before, 0.5 * dt, now.temperature);
     if (heat.relaxes())
       relax(dt, before, now.temperature);

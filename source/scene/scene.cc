@@ -201,6 +201,16 @@ namespace Cautery
       require(
         !ida || scene.effects.deformation != Effects::Deformation::inertia,
         "Time/Integrator = IDA does not know inertia; choose backward Euler or Deformation = equilibrium");
+      require(
+        !ida || scene.effects.heat != Effects::Heat::non_fourier ||
+          scene.effects.metabolism != Effects::Metabolism::q10,
+        "Time/Integrator = IDA does not know the rate of a metabolism that grows with temperature in the "
+        "non-Fourier model; choose backward Euler, or Metabolism = constant");
+      require(
+        scene.numerics.displacement_at != Numerics::DisplacementAt::output_times ||
+          !scene.effects.damage_needs_strain_energy(),
+        "Numerics/Displacement at = output times, but the damage law needs strain energy at every step; "
+        "choose automatic");
       require(scene.effects.coupling != Effects::Coupling::two_way || !scene.elastic_properties_change(),
               "Effects/Coupling = two-way needs elastic properties that do not depend on temperature and "
               "`Thermal stretch = linearised`; choose Coupling = expansion or such properties");
@@ -219,6 +229,26 @@ namespace Cautery
                 "; take a larger interval");
     }
 
+    /// What points out of the plane would be lost in silence.
+    void check_in_plane(const Scene &scene)
+    {
+      if (scene.dimension == 3)
+        return;
+      const auto require_zero = [](const Expression &out_of_plane, const std::string &entry) {
+        require(out_of_plane.is_constant() && out_of_plane.value(Point<3>(), 0.) == 0.,
+                entry + " has a component along z, out of the plane; in two dimensions it must be 0");
+      };
+      if (scene.effects.gravity)
+        require_zero(Expression(scene.loads.gravity[2]), "Loads/Gravity");
+      for (const auto &load : scene.loads.points)
+        require_zero(load.force[2], "Loads/" + load.name + "/Force");
+      for (const auto &boundary : scene.boundaries)
+        {
+          require_zero(boundary.traction[2], "Boundaries/" + boundary.name + "/Traction");
+          require_zero(boundary.displacement[2], "Boundaries/" + boundary.name + "/Displacement");
+        }
+    }
+
     void check(const Scene &scene)
     {
       require(!scene.tissues.empty(), "Tissues/Names is empty; name at least one tissue");
@@ -229,6 +259,7 @@ namespace Cautery
       check_boundaries(scene);
       check_properties(scene);
       check_numerics(scene);
+      check_in_plane(scene);
       for (const double time : scene.output.times)
         require(time <= scene.time.end,
                 "Output/Times: " + to_text(time) + " s is after Time/End = " + to_text(scene.time.end) +

@@ -116,6 +116,11 @@ NAMES = [
          "narrower than the cells",
          ["Heat sources/needle/Centre=0.1, 0, 0"],
          text=SCENE.replace("set Places = 0.005, 0.005, 0.005", "set Type = Gaussian", 1), check_too=True),
+    Case("source narrower than the cells",
+         "scene.prm: Heat sources/needle: of 1 W <any> W would fall on the body: it is narrower than the cells; refine "
+         "the mesh, or take a wider source or one of type points",
+         ["Heat sources/needle/Centre=0.0010566, 0.0010566, 0.0010566", "Heat sources/needle/Radius=5e-4"],
+         text=SCENE.replace("set Places = 0.005, 0.005, 0.005", "set Type = Gaussian", 1)),
     Case("load outside",
          "scene.prm: Loads/pull/Place: (1, 0, 0) m lies outside the mesh box; its nearest node is (0.01, 0, 0) m, "
          "0.99 m away",
