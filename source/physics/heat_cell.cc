@@ -23,8 +23,10 @@ namespace Cautery
              field.element(),
              field.cell_quadrature(),
              update_values | update_gradients | update_JxW_values)
-    , face_values(
-        field.mapping(), field.element(), field.face_quadrature(), update_values | update_JxW_values)
+    , face_values(field.mapping(),
+                  field.element(),
+                  field.face_quadrature(),
+                  update_values | update_quadrature_points | update_JxW_values)
     , temperature_before(values.n_quadrature_points)
     , temperature_now(values.n_quadrature_points)
     , ln_damage(dofs.size())
@@ -126,14 +128,17 @@ namespace Cautery
           continue;
         face_values.reinit(cell, face);
         for (const unsigned int q : face_values.quadrature_point_indices())
-          for (const unsigned int i : face_values.dof_indices())
-            {
-              const double weight =
-                boundary.transfer_coefficient * face_values.shape_value(i, q) * face_values.JxW(q);
-              surface_weights(i) += weight;
-              for (const unsigned int j : face_values.dof_indices())
-                exchange(i, j) += weight * face_values.shape_value(j, q);
-            }
+          {
+            const double transfer =
+              boundary.transfer_coefficient.value(in_space<dim>(face_values.quadrature_point(q)), 0.);
+            for (const unsigned int i : face_values.dof_indices())
+              {
+                const double weight = transfer * face_values.shape_value(i, q) * face_values.JxW(q);
+                surface_weights(i) += weight;
+                for (const unsigned int j : face_values.dof_indices())
+                  exchange(i, j) += weight * face_values.shape_value(j, q);
+              }
+          }
       }
   }
 

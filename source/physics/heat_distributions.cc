@@ -145,7 +145,7 @@ namespace Cautery
   {
     const bool        convection = boundary.thermal == Boundary::Thermal::convection;
     const Expression &expression = convection ? boundary.ambient_temperature : boundary.flux;
-    const double      factor     = convection ? boundary.transfer_coefficient : 1.;
+    const Expression  factor     = convection ? boundary.transfer_coefficient : Expression(1.);
     const auto        assemble =
       [&expression, factor, surfaces, &field, &tissues](const double time, Vector &load, Vector *relaxed) {
         FEFaceValues<dim>      values(field.mapping(),
@@ -165,7 +165,9 @@ namespace Cautery
                   values.reinit(cell, face);
                   integrate(
                     values,
-                    [&](const Point<3> &place) { return factor * expression.value(place, time); },
+                    [&](const Point<3> &place) {
+                      return factor.value(place, 0.) * expression.value(place, time);
+                    },
                     heat);
                 }
             sum.add(cell, heat);

@@ -24,8 +24,13 @@ namespace Cautery
             "For `temperature`; an expression in x, y, z, t",
             Bounds::non_negative());
     p.entry("Flux", flux, "W/m2", "For `flux`, into the body; an expression in x, y, z, t");
-    p.entry(
-      "Transfer coefficient", transfer_coefficient, "W/(m2 K)", "For `convection`", Bounds::non_negative());
+    p.entry("Transfer coefficient",
+            transfer_coefficient,
+            "W/(m2 K)",
+            "For `convection`; an expression in x, y, z",
+            Bounds::non_negative());
+    if (p.reading() && transfer_coefficient.depends_on_time())
+      p.reject("Transfer coefficient", transfer_coefficient.text(), "it cannot depend on t");
     p.entry("Ambient temperature",
             ambient_temperature,
             "K",

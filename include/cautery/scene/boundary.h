@@ -38,7 +38,7 @@ namespace Cautery
     Thermal    thermal              = Thermal::missing;
     Expression temperature          = 310.; ///< K
     Expression flux                 = 0.;   ///< into the body, W/m2
-    double     transfer_coefficient = 5.;   ///< W/(m2 K)
+    Expression transfer_coefficient = 5.;   ///< W/(m2 K); not of time
     Expression ambient_temperature  = 293.; ///< K
 
     Mechanical       mechanical = Mechanical::missing;
