@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/agreement.h>
 #include <cautery/output/fields.h>
 #include <cautery/problems/simulation.h>
 
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
+#include <regex>
 #include <sstream>
 
 namespace Cautery
@@ -61,6 +63,19 @@ namespace Cautery
     return out.str();
   }
 
+  namespace
+  {
+    void remove_results(const std::string &directory)
+    {
+      const std::regex results(
+        "summary\\.json|probes\\.csv|log\\.txt|solution\\.pvd|solution_[0-9]+(\\.[0-9]+)?\\.p?vtu");
+      std::error_code error;
+      for (const auto &entry : std::filesystem::directory_iterator(directory, error))
+        if (std::regex_match(entry.path().filename().string(), results))
+          std::filesystem::remove(entry.path(), error);
+    }
+  } // namespace
+
   template <int dim>
   void Simulation<dim>::prepare_directory(const std::string &directory) const
   {
@@ -69,7 +84,7 @@ namespace Cautery
       {
         std::error_code error;
         std::filesystem::create_directories(directory, error);
-        std::filesystem::remove(directory + "/summary.json", error); // an earlier run's is not true any more
+        remove_results(directory); // an earlier run's are not true any more
         std::ofstream complete(directory + "/scene.prm");
         complete << scene.complete_text << std::flush;
         written = complete.good();
@@ -107,6 +122,8 @@ namespace Cautery
       }
     catch (const ExcRun &failure)
       {
+        if (!all_processes_come(communicator))
+          throw; // nothing more can be done together
         std::ostringstream reason;
         failure.print_info(reason);
         observe_last_good();
@@ -139,7 +156,7 @@ namespace Cautery
     if (scene.output.every_step)
       say_step(state, progress);
     else
-      progress.show(state.time, state.step, extremes.hottest_now);
+      progress.show(state.time, state.step, extremes.reduced(communicator).hottest_now);
   }
 
   template <int dim>
@@ -161,7 +178,12 @@ namespace Cautery
   void Simulation<dim>::observe(State &state)
   {
     observed = state.time;
-    problem->complete(state);
+    {
+      const Timer timer;
+      problem->complete(state);
+      if (state.step > 0)
+        loop_seconds += timer.wall_time();
+    }
     extremes.observe(state, dim);
     std::optional<MechanicalFields<dim>> mechanical;
     if (problem->displacement() != nullptr)

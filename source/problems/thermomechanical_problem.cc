@@ -66,7 +66,10 @@ namespace Cautery
     // with inertia a body starts at rest and undeformed; without it, in equilibrium
     if (scene.effects.deformation == Effects::Deformation::equilibrium &&
         (displacement_at_every_step || feedback))
-      equilibrium.solve(state);
+      {
+        equilibrium.solve(state);
+        solved_at = state.time;
+      }
     if (damage)
       damage->start(state);
     books =

@@ -17,7 +17,7 @@ namespace Cautery
       tolerance,
       "",
       "Euclidean norm of the residual, relative to that of the largest right-hand side of the run so far; "
-      "1e-8 keeps temperature rises and displacements well within 1e-7",
+      "1e-8 keeps temperature rises and displacements within 1e-7",
       Bounds::between_open(0., 1.));
     p.entry("Largest number of iterations",
             max_iterations,

@@ -14,6 +14,11 @@ namespace
     {"balance", {{"Time/Integrator", "IDA"}, {"Effects/Heat", "non-Fourier"}}},
     {"balance", {{"Time/Integrator", "IDA"}}},
     {"balance", {{"Effects/Deformation", "equilibrium"}, {"Effects/Coupling", "expansion"}}},
+    {"balance", // at the default tolerances
+     {{"Effects/Deformation", "equilibrium"},
+      {"Effects/Coupling", "expansion"},
+      {"Numerics/Heat solver/Tolerance", "1e-10"},
+      {"Numerics/Deformation solver/Tolerance", "1e-10"}}},
     {"balance", {{"Effects/Deformation", "equilibrium"}, {"Effects/Coupling", "two-way"}}},
     {"balance", {{"Effects/Deformation", "inertia"}, {"Effects/Coupling", "expansion"}}},
     {"balance",

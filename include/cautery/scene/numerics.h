@@ -18,8 +18,8 @@ namespace Cautery
       cg_amg
     };
 
-    Method       method    = Method::automatic;
-    double       tolerance = 1e-8; ///< on the residual's norm, relative to the largest right-hand side so far
+    Method method    = Method::automatic;
+    double tolerance = 1e-10; ///< on the residual's norm, relative to the largest right-hand side so far
     unsigned int max_iterations = 2000;
     unsigned int guesses =
       16; ///< earlier solutions that the initial guess is combined from; 0: start from zero
