@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/laws/fibres.h>
+#include <cautery/laws/thermal_stretch.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/**
+ * @file
+ * The innermost loops of total Lagrangian explicit dynamics (thesis 7.3.2): forces of cells, and the step of
+ * nodes. They are compiled once for each of some instruction sets, and work on plain arrays only.
+ *
+ * A node is a record of four numbers, u_x, u_y, u_z (m) and T - T_0 (K; the difference, because single
+ * precision holds 310 K to 0.03 mK only), so that one load fetches all of it. Forces are records of the
+ * same kind: three internal forces (N) and the heat that flows out of the node's share of the cells (W).
+ */
+
+namespace Cautery
+{
+  /// Numbers in a node's record.
+  constexpr unsigned int node_record = 4;
+
+  enum class InstructionSet
+  {
+    x86_64,    ///< runs everywhere
+    x86_64_v3, ///< AVX2 and FMA
+    x86_64_v4  ///< AVX-512
+  };
+
+  /** The best one that this processor has. */
+  InstructionSet best_instruction_set();
+  /** All that it has, the best last. */
+  std::vector<InstructionSet> instruction_sets();
+  std::string                 name(const InstructionSet instruction_set);
+
+  /**
+   * What the loop over cells computes. Each choice is a loop of its own: what is off costs nothing.
+   */
+  struct SweepChoice
+  {
+    enum class Law
+    {
+      none, ///< conduction only
+      small_strain,
+      neo_hookean
+    };
+
+    Law         law        = Law::neo_hookean;
+    StretchForm stretch    = StretchForm::none;
+    std::size_t n_fibres   = 0;     ///< families, with neo_hookean only
+    bool        conduction = false; ///< in the reference body, k grad T
+  };
+
+  /**
+   * Parameters that all cells of a sweep share.
+   */
+  struct SweepMaterial
+  {
+    double        lambda       = 0.;      ///< Pa
+    double        mu           = 0.;      ///< Pa
+    const Fibres *fibres       = nullptr; ///< n_fibres families
+    std::size_t   n_fibres     = 0;
+    double        expansion    = 0.; ///< alpha, 1/K
+    double        conductivity = 0.; ///< k, W/(m K)
+  };
+
+  /**
+   * Linear tetrahedra in groups of lanes. For each group and each corner 0..3 stand the lanes' nodes times
+   * node_record; for each group stand, lanes side by side, the gradients of the shape functions of corners
+   * 1, 2, 3 (1/m; nine rows), the volume (m3), and the unit vectors of the fibre families (three rows each).
+   * Lanes that are left over have volume and gradients 0.
+   */
+  template <typename Number>
+  struct TetrahedraSweep
+  {
+    const std::uint32_t *offsets   = nullptr;
+    const Number        *constants = nullptr; ///< on a boundary of 64 bytes
+    std::size_t          n_groups  = 0;
+    const Number        *values    = nullptr; ///< of nodes, on a boundary of 64 bytes
+    Number              *forces    = nullptr; ///< of nodes, on a boundary of 64 bytes; the sweep adds to them
+    SweepMaterial        material;
+  };
+
+  /**
+   * The step of nodes by central differences (thesis Eqs. 7-50 and 7-51), in increments:
+   * rate = keep rate + gain (load - force - exchange value), value = value + duration rate, force = 0,
+   * for each of the four numbers by itself. With mass m, damping c, and duration dt:
+   * keep = (m/dt - c/2) / (m/dt + c/2), gain = 1 / (m/dt + c/2); m = 0 is Fourier's heat. Where a value is
+   * prescribed, keep = 1, gain = 0, and the rate is the caller's.
+   */
+  template <typename Number>
+  struct NodeStep
+  {
+    std::size_t   n_nodes  = 0;
+    Number       *values   = nullptr;
+    Number       *rates    = nullptr; ///< m/s and K/s
+    Number       *forces   = nullptr;
+    const Number *loads    = nullptr; ///< N and W
+    const Number *keep     = nullptr;
+    const Number *gain     = nullptr; ///< s/kg and K/J
+    const Number *exchange = nullptr; ///< N/m and W/K, from perfusion and convection; may be missing
+    double        duration = 0.;      ///< s
+    bool          motion   = true;    ///< else displacement, its rate and its force are left alone
+    bool          heat     = true;    ///< else temperature, its rate and its flow are left alone
+  };
+
+  /**
+   * The loops in one instruction set. Pick once, call often.
+   */
+  template <typename Number>
+  struct TledKernel
+  {
+    /// Adds the forces of all groups. False if a cell is inverted (J <= 0) or its J is no number.
+    using Sweep = bool (*)(const TetrahedraSweep<Number> &);
+    using Step  = void (*)(const NodeStep<Number> &);
+
+    unsigned int lanes                 = 1;
+    Step         step                  = nullptr;
+    Sweep (*find)(const SweepChoice &) = nullptr; ///< never null for a choice that SweepChoice allows
+  };
+
+  template <typename Number>
+  TledKernel<Number> tled_kernel(const InstructionSet instruction_set);
+} // namespace Cautery

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How many tetrahedra a second the explicit kernel does on one core, for each instruction set and precision,
+// in and out of cache: the coupled step (neo-Hookean, one family of fibres, thermal stretch, Fourier's heat,
+// step of the nodes). Beside it, what the machine can do. Usage: tled_kernel [CELLS_PER_EDGE...]
+#include "peak.h"
+
+#include <cautery/physics/tled_tetrahedra.h>
+
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+namespace Cautery::Benchmark
+{
+  namespace
+  {
+    /** The shortest of some calls of @p work, in seconds; half a second of them at least. */
+    template <typename Work>
+    double shortest(const Work &work)
+    {
+      using Clock    = std::chrono::steady_clock;
+      double best    = 1e9;
+      double elapsed = 0.;
+      while (elapsed < 0.5)
+        {
+          const auto start = Clock::now();
+          work();
+          const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+          best                 = std::min(best, seconds);
+          elapsed += seconds;
+        }
+      return best;
+    }
+
+    /** A cube of 0.1 m, each of its n^3 small cubes cut into 6 tetrahedra, fibres at 45 degrees. */
+    TetrahedraMesh cube(const unsigned int n)
+    {
+      TetrahedraMesh mesh;
+      const auto     node = [n](const unsigned int i, const unsigned int j, const unsigned int k) {
+        return (i * (n + 1) + j) * (n + 1) + k;
+      };
+      for (unsigned int i = 0; i <= n; ++i)
+        for (unsigned int j = 0; j <= n; ++j)
+          for (unsigned int k = 0; k <= n; ++k)
+            mesh.nodes.emplace_back(0.1 * i / n, 0.1 * j / n, 0.1 * k / n);
+      const int paths[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int k = 0; k < n; ++k)
+            for (const auto &path : paths)
+              {
+                unsigned int            at[3] = {i, j, k};
+                TetrahedraMesh::Corners corners;
+                corners[0] = node(i, j, k);
+                for (int step = 0; step < 3; ++step)
+                  {
+                    ++at[path[step]];
+                    corners[step + 1] = node(at[0], at[1], at[2]);
+                  }
+                mesh.cells.push_back(corners);
+              }
+      mesh.n_fibres = 1;
+      mesh.directions.assign(mesh.cells.size(), {{std::sqrt(0.5), std::sqrt(0.5), 0.}});
+      return mesh;
+    }
+
+    /** Seconds of one step, of the tissue of thesis Table 10. */
+    template <typename Number>
+    double seconds_per_step(const TetrahedraMesh &mesh, const InstructionSet instruction_set)
+    {
+      const TledKernel<Number>     kernel = tled_kernel<Number>(instruction_set);
+      const TledTetrahedra<Number> cells(mesh, kernel.lanes);
+      const std::size_t            n = node_record * mesh.nodes.size();
+      AlignedVector<Number>        values(n), rates(n), forces(n), loads(n), keep(n), gain(n);
+      const std::vector<double>    volumes  = lumped_volumes(mesh);
+      const double                 duration = 0.02 * 0.1 / std::cbrt(mesh.cells.size() / 6.), damping = 250.;
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          const Point<3> &place = mesh.nodes[i / node_record];
+          values[i]             = i % node_record == 3 ? 5. * std::sin(30. * place[0]) :
+                                                         1e-3 * std::sin(40. * place[i % node_record] + i % node_record);
+          const double mass     = 1000. * volumes[i / node_record];
+          keep[i] =
+            i % node_record == 3 ? 0. : (1. - damping * duration / 2.) / (1. + damping * duration / 2.);
+          gain[i] =
+            i % node_record == 3 ? 1. / (4192. * mass) : duration / (mass * (1. + damping * duration / 2.));
+        }
+      const Fibres            fibres;
+      TetrahedraSweep<Number> sweep = cells.sweep({2347.3, 1006., &fibres, 1, 3e-4, 0.613});
+      sweep.values                  = values.data();
+      sweep.forces                  = forces.data();
+      NodeStep<Number> step;
+      step.n_nodes  = mesh.nodes.size();
+      step.values   = values.data();
+      step.rates    = rates.data();
+      step.forces   = forces.data();
+      step.loads    = loads.data();
+      step.keep     = keep.data();
+      step.gain     = gain.data();
+      step.duration = duration;
+
+      const auto add_forces = kernel.find({SweepChoice::Law::neo_hookean, StretchForm::linearised, 1, true});
+      bool       healthy    = true;
+      const double seconds  = shortest([&]() {
+        healthy = add_forces(sweep) && healthy;
+        kernel.step(step);
+      });
+      if (!healthy || !std::isfinite(values[0] + values[n / 2]))
+        std::cout << "(the body broke: the figure below is worth nothing)\n";
+      return seconds;
+    }
+
+    /** Bytes a second that one core adds two long arrays with. */
+    double bandwidth()
+    {
+      const std::size_t   n = 1 << 24;
+      std::vector<double> a(n, 1.), b(n, 2.);
+      return 3. * sizeof(double) * n / shortest([&]() {
+               for (std::size_t i = 0; i < n; ++i)
+                 a[i] += 0.5 * b[i];
+             });
+    }
+
+    struct Machine
+    {
+      Peak single_precision, double_precision;
+    };
+
+    Machine machine(const InstructionSet instruction_set)
+    {
+      switch (instruction_set)
+        {
+        case InstructionSet::x86_64_v4:
+          return {peak_float_x86_64_v4, peak_double_x86_64_v4};
+        case InstructionSet::x86_64_v3:
+          return {peak_float_x86_64_v3, peak_double_x86_64_v3};
+        default:
+          return {peak_float_x86_64, peak_double_x86_64};
+        }
+    }
+
+    double operations_per_second(const Peak peak)
+    {
+      const std::size_t n = 1000000;
+      return peak(n) / shortest([&]() { peak(n); });
+    }
+  } // namespace
+} // namespace Cautery::Benchmark
+
+int main(int argc, char **argv)
+{
+  using namespace Cautery;
+  using namespace Cautery::Benchmark;
+  std::vector<unsigned int> edges;
+  for (int i = 1; i < argc; ++i)
+    edges.push_back(std::stoul(argv[i]));
+  if (edges.empty())
+    edges = {8, 20, 44, 70};
+
+  std::cout << std::fixed << std::setprecision(1) << "memory: " << bandwidth() / 1e9 << " GB/s\n"
+            << std::setw(10) << "" << std::setw(12) << "tetrahedra" << std::setw(24)
+            << "single, million a second" << std::setw(24) << "double, million a second\n";
+  for (const InstructionSet instruction_set : instruction_sets())
+    {
+      std::cout << name(instruction_set) << ": peak "
+                << operations_per_second(machine(instruction_set).single_precision) / 1e9 << " and "
+                << operations_per_second(machine(instruction_set).double_precision) / 1e9
+                << " Gflop/s in single and double precision\n";
+      for (const unsigned int n : edges)
+        {
+          const TetrahedraMesh mesh = cube(n);
+          std::cout << std::setw(22) << mesh.cells.size() << std::setw(24)
+                    << mesh.cells.size() / seconds_per_step<float>(mesh, instruction_set) / 1e6
+                    << std::setw(23)
+                    << mesh.cells.size() / seconds_per_step<double>(mesh, instruction_set) / 1e6 << std::endl;
+        }
+    }
+  return 0;
+}
