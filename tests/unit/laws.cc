@@ -48,5 +48,6 @@ int main(int argc, char **argv)
   test_heat_sources();
   test_tissue();
   test_damage();
+  test_large_deformation();
   return failures() == 0 ? 0 : 1;
 }

@@ -5,7 +5,7 @@
  * @file
  * Large deformation at a point. The laws of large deformation include no more than this, because their one
  * text also runs in the lanes of the explicit kernel, which is compiled for several instruction sets: Number
- * is double, float or a group of lanes, and is made from double.
+ * is double or a group of lanes, of either precision, and is made from double.
  *
  * Everything is written with the displacement gradient H = F - I and never subtracts numbers near 1: in
  * single precision the textbook form of F'F - I loses four digits at strains of 1e-4.

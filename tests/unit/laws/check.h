@@ -64,4 +64,5 @@ namespace Cautery::Test
   void test_heat_sources();
   void test_tissue();
   void test_damage();
+  void test_large_deformation();
 } // namespace Cautery::Test
