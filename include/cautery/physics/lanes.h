@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+#include <immintrin.h>
 #include <type_traits>
 #include <utility>
 
@@ -202,6 +202,30 @@ namespace Cautery
       return *reinterpret_cast<Result *>(values + offset);
     }
 
+    // Halves of registers: GCC 12 makes two or three times as many shuffles of its own vectors as needed.
+#ifdef __AVX__
+    CAUTERY_INLINE __m256 join(const __m128 low, const __m128 high)
+    {
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(low), high, 1);
+    }
+    CAUTERY_INLINE __m128 low(const __m256 v) { return _mm256_castps256_ps128(v); }
+    CAUTERY_INLINE __m128 high(const __m256 v) { return _mm256_extractf128_ps(v, 1); }
+#endif
+#ifdef __AVX512DQ__
+    CAUTERY_INLINE __m512 join(const __m256 low, const __m256 high)
+    {
+      return _mm512_insertf32x8(_mm512_castps256_ps512(low), high, 1);
+    }
+    CAUTERY_INLINE __m256  low(const __m512 v) { return _mm512_castps512_ps256(v); }
+    CAUTERY_INLINE __m256  high(const __m512 v) { return _mm512_extractf32x8_ps(v, 1); }
+    CAUTERY_INLINE __m512d join(const __m256d low, const __m256d high)
+    {
+      return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+    }
+    CAUTERY_INLINE __m256d low(const __m512d v) { return _mm512_castpd512_pd256(v); }
+    CAUTERY_INLINE __m256d high(const __m512d v) { return _mm512_extractf64x4_pd(v, 1); }
+#endif
+
     /** Reads a record for each lane. */
     template <typename Number, int width>
     CAUTERY_INLINE void
@@ -212,32 +236,10 @@ namespace Cautery
           const auto at = [&](const int block) { return record(values, offsets[4 * block + j]); };
           if constexpr (width == 4)
             records.component[j].v = at(0);
+          else if constexpr (width == 8)
+            records.component[j].v = join(at(0), at(1));
           else
-            {
-              const auto half = __builtin_shufflevector(at(0), at(1), 0, 1, 2, 3, 4, 5, 6, 7);
-              if constexpr (width == 8)
-                records.component[j].v = half;
-              else
-                records.component[j].v =
-                  __builtin_shufflevector(half,
-                                          __builtin_shufflevector(at(2), at(3), 0, 1, 2, 3, 4, 5, 6, 7),
-                                          0,
-                                          1,
-                                          2,
-                                          3,
-                                          4,
-                                          5,
-                                          6,
-                                          7,
-                                          8,
-                                          9,
-                                          10,
-                                          11,
-                                          12,
-                                          13,
-                                          14,
-                                          15);
-            }
+            records.component[j].v = join(join(at(0), at(1)), join(at(2), at(3)));
         }
       transpose(records, std::make_integer_sequence<int, width>());
     }
@@ -250,14 +252,23 @@ namespace Cautery
       transpose(records, std::make_integer_sequence<int, width>());
       for (int j = 0; j < 4; ++j)
         {
+          const auto add = [&](const int block, const auto part) {
+            record(forces, offsets[4 * block + j]) += part;
+          };
           const auto v = records.component[j].v;
-          record(forces, offsets[j]) += __builtin_shufflevector(v, v, 0, 1, 2, 3);
-          if constexpr (width > 4)
-            record(forces, offsets[4 + j]) += __builtin_shufflevector(v, v, 4, 5, 6, 7);
-          if constexpr (width > 8)
+          if constexpr (width == 4)
+            add(0, v);
+          else if constexpr (width == 8)
             {
-              record(forces, offsets[8 + j]) += __builtin_shufflevector(v, v, 8, 9, 10, 11);
-              record(forces, offsets[12 + j]) += __builtin_shufflevector(v, v, 12, 13, 14, 15);
+              add(0, low(v));
+              add(1, high(v));
+            }
+          else
+            {
+              add(0, low(low(v)));
+              add(1, high(low(v)));
+              add(2, low(high(v)));
+              add(3, high(high(v)));
             }
         }
     }
