@@ -62,7 +62,7 @@ namespace Cautery
       static constexpr int           mantissa = 23, bias = 127;
       static constexpr double        to_integer = 12582912.; ///< 1.5 * 2^23: adding it rounds to an integer
       static constexpr double        largest_exponent  = 127.;
-      static constexpr int           exponential_terms = 7, logarithm_terms = 6;
+      static constexpr int           exponential_terms = 7, logarithm_terms = 5;
       static constexpr std::uint32_t root_half = 0x3f3504f3; ///< sqrt(1/2)
     };
     template <>
@@ -71,7 +71,7 @@ namespace Cautery
       static constexpr int           mantissa = 52, bias = 1023;
       static constexpr double        to_integer        = 6755399441055744.; ///< 1.5 * 2^52
       static constexpr double        largest_exponent  = 1023.;
-      static constexpr int           exponential_terms = 13, logarithm_terms = 12;
+      static constexpr int           exponential_terms = 13, logarithm_terms = 11;
       static constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;
     };
 

@@ -20,8 +20,9 @@ namespace Cautery
     /**
      * One group of tetrahedra: values at its corners, then forces on them.
      *
-     * The memory of a group is far from its arithmetic in time: @p meanwhile(corner) is called four times,
-     * spread over the arithmetic, and reads the next group and writes the last.
+     * Memory and arithmetic of a group are apart in time, so that neither waits for the other: @p
+     * meanwhile(0) and @p meanwhile(1), called within the arithmetic, write what the last group has left to
+     * be written.
      */
     template <Law law, StretchForm form, int n_fibres, bool conduction, typename Number>
     struct Group
@@ -117,9 +118,14 @@ namespace Cautery
               }
           }
         else
-          for (int corner = 0; corner < 4; ++corner)
-            for (int i = 0; i < 3; ++i)
-              on[corner].component[i] = L(0.);
+          {
+            meanwhile(0);
+            for (int corner = 0; corner < 4; ++corner)
+              for (int i = 0; i < 3; ++i)
+                on[corner].component[i] = L(0.);
+          }
+        if constexpr (law != Law::neo_hookean)
+          meanwhile(1);
         if constexpr (conduction)
           conduct(at, on);
         else
@@ -155,16 +161,24 @@ namespace Cautery
           const std::uint32_t *next_offsets = g + 1 < cells.n_groups ? offsets + 4 * width : offsets;
           for (int corner = 0; corner < 4; ++corner)
             now[corner] = next[corner];
-          const auto meanwhile = [&](const int corner) {
+          // measured: of several orders, this leaves both memory and arithmetic waiting least
+          const auto read = [&](const int corner) {
             gather(cells.values, next_offsets + corner * width, next[corner]);
+          };
+          const auto write = [&](const int corner) {
             scatter_add(last[corner], last_offsets + corner * width, cells.forces);
+          };
+          const auto meanwhile = [&](const int part) {
+            write(2 * part);
+            write(2 * part + 1);
           };
           const Group<law, form, n_fibres, conduction, Number> group = {material,
                                                                         cells.constants + n_rows * width * g};
-          const L       jacobian                                     = group.forces(now, forces, meanwhile);
-          constexpr int n_done = law == Law::none ? 0 : law == Law::small_strain ? 1 : 2;
-          for (int corner = n_done; corner < 4; ++corner)
-            meanwhile(corner);
+          const L jacobian                                           = group.forces(now, forces, meanwhile);
+          read(0);
+          read(1);
+          read(2);
+          read(3);
           healthy = healthy & (jacobian.v > L(0.).v);
           for (int corner = 0; corner < 4; ++corner)
             last[corner] = forces[corner];
