@@ -4,7 +4,7 @@
 // step of the nodes). Beside it, what the machine can do. Usage: tled_kernel [CELLS_PER_EDGE...]
 #include "peak.h"
 
-#include <cautery/physics/tled_tetrahedra.h>
+#include <cautery/physics/tled_cells.h>
 
 #include <chrono>
 #include <cmath>
@@ -69,12 +69,12 @@ namespace Cautery::Benchmark
     template <typename Number>
     double seconds_per_step(const TetrahedraMesh &mesh, const InstructionSet instruction_set)
     {
-      const TledKernel<Number>     kernel = tled_kernel<Number>(instruction_set);
-      const TledTetrahedra<Number> cells(mesh, kernel.lanes);
-      const std::size_t            n = node_record * mesh.nodes.size();
-      AlignedVector<Number>        values(n), rates(n), forces(n), loads(n), keep(n), gain(n);
-      const std::vector<double>    volumes  = lumped_volumes(mesh);
-      const double                 duration = 0.02 * 0.1 / std::cbrt(mesh.cells.size() / 6.), damping = 250.;
+      const TledKernel<Number>   kernel = tled_kernel<Number>(instruction_set);
+      const TledCells<4, Number> cells(mesh, kernel.lanes);
+      const std::size_t          n = node_record * mesh.nodes.size();
+      AlignedVector<Number>      values(n), rates(n), forces(n), loads(n), keep(n), gain(n);
+      const std::vector<double>  volumes  = lumped_volumes(mesh);
+      const double               duration = 0.02 * 0.1 / std::cbrt(mesh.cells.size() / 6.), damping = 250.;
       for (std::size_t i = 0; i < n; ++i)
         {
           const Point<3> &place = mesh.nodes[i / node_record];
@@ -86,10 +86,10 @@ namespace Cautery::Benchmark
           gain[i] =
             i % node_record == 3 ? 1. / (4192. * mass) : duration / (mass * (1. + damping * duration / 2.));
         }
-      const Fibres            fibres;
-      TetrahedraSweep<Number> sweep = cells.sweep({2347.3, 1006., &fibres, 1, 3e-4, 0.613});
-      sweep.values                  = values.data();
-      sweep.forces                  = forces.data();
+      const Fibres      fibres;
+      CellSweep<Number> sweep = cells.sweep({2347.3, 1006., &fibres, 1, 3e-4, 0.613});
+      sweep.values            = values.data();
+      sweep.forces            = forces.data();
       NodeStep<Number> step;
       step.n_nodes  = mesh.nodes.size();
       step.values   = values.data();

@@ -16,6 +16,9 @@ namespace Cautery::Test
   {
     unsigned int bad = 0;
 
+    /// Of hexahedra with one point, where it must change nothing.
+    constexpr double hourglass = 0.1;
+
     void holds(const std::string &what, const bool truth)
     {
       bad += !truth;
@@ -123,7 +126,7 @@ namespace Cautery::Test
           const Records values = random_values(body, 0.08);
           at_most(item.name + ": forces and heat flows sum to nothing",
                   worst([&](const auto set) {
-                    const Records forces = lane_forces<double>(body, values, set);
+                    const Records forces = lane_forces<double>(body, values, set, hourglass);
                     double        sum[4] = {}, scale[4] = {};
                     for (unsigned int i = 0; i < forces.size(); ++i)
                       {
@@ -140,12 +143,12 @@ namespace Cautery::Test
             continue;
           at_most(item.name + ": nor do they turn the body",
                   worst([&](const auto set) {
-                    const Records forces = lane_forces<double>(body, values, set);
+                    const Records forces = lane_forces<double>(body, values, set, hourglass);
                     double        sum = 0., scale = 0.;
-                    for (unsigned int n = 0; n < body.mesh.nodes.size(); ++n)
+                    for (unsigned int n = 0; n < body.nodes.size(); ++n)
                       {
-                        const double x = body.mesh.nodes[n][0] + values[4 * n];
-                        const double y = body.mesh.nodes[n][1] + values[4 * n + 1];
+                        const double x = body.nodes[n][0] + values[4 * n];
+                        const double y = body.nodes[n][1] + values[4 * n + 1];
                         sum += x * forces[4 * n + 1] - y * forces[4 * n];
                         scale += std::abs(x * forces[4 * n + 1]) + std::abs(y * forces[4 * n]);
                       }
@@ -158,7 +161,7 @@ namespace Cautery::Test
           const Records moved = affine_values(body, rotation(), {{0.3, -2., 5.}}, 0.);
           at_most(item.name + ": no force in a body that moves as a whole",
                   worst([&](const auto set) {
-                    const Records forces  = lane_forces<double>(body, moved, set);
+                    const Records forces  = lane_forces<double>(body, moved, set, hourglass);
                     double        largest = 0.;
                     for (unsigned int i = 0; i < forces.size(); ++i)
                       if (i % node_record != 3)
@@ -188,13 +191,13 @@ namespace Cautery::Test
               const Tensor<2, 3> expected = textbook_first_stress(body, f.second, heating);
               at_most(item.name + ", " + f.first,
                       worst([&](const auto set) {
-                        const Records forces = lane_forces<double>(body, values, set);
+                        const Records forces = lane_forces<double>(body, values, set, hourglass);
                         Tensor<1, 3>  traction;
                         double        inside = 0.;
-                        for (unsigned int n = 0; n < body.mesh.nodes.size(); ++n)
+                        for (unsigned int n = 0; n < body.nodes.size(); ++n)
                           for (int c = 0; c < 3; ++c)
                             {
-                              if (body.mesh.nodes[n][0] > 1. - 1e-12)
+                              if (body.nodes[n][0] > 1. - 1e-12)
                                 traction[c] += forces[4 * n + c];
                               if (is_inside(body, n))
                                 inside = std::max(inside, std::abs(forces[4 * n + c]));
@@ -213,17 +216,18 @@ namespace Cautery::Test
           {
             const Body body   = make_body(item);
             Records    values = affine_values(body, Tensor<2, 3>(), {}, 0.);
-            for (unsigned int n = 0; n < body.mesh.nodes.size(); ++n)
-              values[4 * n + 3] = 7. - 50. * body.mesh.nodes[n][0];
+            for (unsigned int n = 0; n < body.nodes.size(); ++n)
+              values[4 * n + 3] = 7. - 50. * body.nodes[n][0];
             at_most(
-              "a gradient of -50 K/m: k times 50 W/m2 leave through the face x = 1, nothing stays inside",
+              item.name +
+                ": a gradient of -50 K/m: k times 50 W/m2 leave through the face x = 1, nothing stays inside",
               worst([&](const auto set) {
-                const Records flows  = lane_forces<double>(body, values, set);
+                const Records flows  = lane_forces<double>(body, values, set, hourglass);
                 double        out    = 0.;
                 double        inside = 0.;
-                for (unsigned int n = 0; n < body.mesh.nodes.size(); ++n)
+                for (unsigned int n = 0; n < body.nodes.size(); ++n)
                   {
-                    out -= body.mesh.nodes[n][0] > 1. - 1e-12 ? flows[4 * n + 3] : 0.;
+                    out -= body.nodes[n][0] > 1. - 1e-12 ? flows[4 * n + 3] : 0.;
                     inside = std::max(inside, is_inside(body, n) ? std::abs(flows[4 * n + 3]) : 0.);
                   }
                 return std::abs(out / (50. * conductivity) - 1.) + inside;
@@ -232,13 +236,50 @@ namespace Cautery::Test
           }
     }
 
+    /** A cube of 0.5 m whose corners move in x by h(y, z) = +-1 mm, and are warm by +-1 K: that is gamma. */
+    void test_hourglass()
+    {
+      HexahedraMesh mesh;
+      Records       values;
+      for (unsigned int a = 0; a < 8; ++a)
+        {
+          mesh.nodes.emplace_back(0.5 * (a % 2), 0.5 * (a / 2 % 2), 0.5 * (a / 4));
+          const double mode = (a / 2 % 2 == a / 4) ? 1. : -1.;
+          values.insert(values.end(), {1e-3 * mode, 0., 0., mode});
+        }
+      mesh.cells = {{{0, 1, 2, 3, 4, 5, 6, 7}}};
+      for (const double control : {0., 0.1})
+        at_most(control == 0. ? "one point alone does not see it" : "and with control resists as promised",
+                worst([&](const auto set) {
+                  const TledKernel<double>   kernel = tled_kernel<double>(set);
+                  const TledCells<8, double> cells(mesh, kernel.lanes, 1);
+                  AlignedVector<double>      x(32), f(32);
+                  std::copy(values.begin(), values.end(), x.begin());
+                  CellSweep<double> sweep = cells.sweep({lambda, mu, nullptr, 0, 0., conductivity});
+                  sweep.values            = x.data();
+                  sweep.forces            = f.data();
+                  sweep.hourglass         = control;
+                  kernel.find({SweepChoice::Law::neo_hookean, StretchForm::none, 0, true, true})(sweep);
+                  // |grad N_a|^2 = 3 (1 / (4 L))^2 at the centre of eight corners, gamma.u = 8 u
+                  const double size  = control * 0.5 * 0.5 * 0.5 * 8. * 3. / (2. * 2.) * 8.;
+                  double       error = 0.;
+                  for (unsigned int i = 0; i < 32; ++i)
+                    {
+                      const double scale = i % 4 == 0 ? lambda + 2. * mu : i % 4 == 3 ? conductivity : 0.;
+                      error              = std::max(error, std::abs(f[i] - size * scale * values[i]));
+                    }
+                  return error;
+                }),
+                1e-12);
+    }
+
     void test_inversion()
     {
       const Body body =
         make_body({"neo-Hookean", {SweepChoice::Law::neo_hookean, StretchForm::none, 0, false}});
       const Records      values = random_values(body, 0.05);
       Records            turned = values;
-      const unsigned int corner = body.mesh.cells[77][2];
+      const unsigned int corner = body.tetrahedra.cells[77][2];
       turned[4 * corner] += 1.;
       Records broken         = values;
       broken[4 * corner + 1] = std::nan("");
@@ -254,7 +295,7 @@ namespace Cautery::Test
         return static_cast<double>(sum) / n;
       };
       const auto first_inverted = [&](const Records &state) {
-        const TledTetrahedra<double> cells(body.mesh, 8);
+        const TledCells<4, double> cells(body.tetrahedra, 8);
         return cells.inverted_cell(state.data());
       };
       holds("a sound body is found sound", verdict(values) == 1. && !first_inverted(values));
@@ -262,7 +303,8 @@ namespace Cautery::Test
       holds("one that is no number too", verdict(broken) == -1.);
       const auto cell = first_inverted(turned);
       holds("and found: it has the node that went astray",
-            cell && std::count(body.mesh.cells[*cell].begin(), body.mesh.cells[*cell].end(), corner) == 1);
+            cell && std::count(
+                      body.tetrahedra.cells[*cell].begin(), body.tetrahedra.cells[*cell].end(), corner) == 1);
     }
 
     /** One node: a spring in x, a load in y, a given rate in z, and cooling. */
@@ -355,6 +397,8 @@ int main(int argc, char **argv)
   test_homogeneous();
   std::cout << "Conduction\n";
   test_conduction();
+  std::cout << "Hourglass of a cube\n";
+  test_hourglass();
   std::cout << "Inverted cells\n";
   test_inversion();
   std::cout << "Step of the nodes\n";

@@ -53,6 +53,7 @@ namespace Cautery
     StretchForm stretch    = StretchForm::none;
     std::size_t n_fibres   = 0;     ///< families, with neo_hookean only
     bool        conduction = false; ///< in the reference body, k grad T
+    bool        hexahedra  = false; ///< else tetrahedra
   };
 
   /**
@@ -69,19 +70,30 @@ namespace Cautery
   };
 
   /**
-   * Linear tetrahedra in groups of lanes. For each group and each corner 0..3 stand the lanes' nodes times
-   * node_record; for each group stand, lanes side by side, the gradients of the shape functions of corners
-   * 1, 2, 3 (1/m; nine rows), the volume (m3), and the unit vectors of the fibre families (three rows each).
-   * Lanes that are left over have volume and gradients 0.
+   * Cells of degree 1 with n corners in groups of lanes. For each group and each corner stand the lanes'
+   * nodes times node_record. For each group stand, lanes side by side, these rows of numbers:
+   * - for each point of integration the gradients of the shape functions of corners 1 to n - 1 (1/m; those of
+   *   corner 0 balance them) and the volume that the point stands for (m3);
+   * - of hexahedra with one point, for each of the four hourglass modes its vector gamma at corners 1 to 7,
+   * and at the end the volume times the sum of the squares of all gradients (m);
+   * - the unit vectors of the fibre families.
+   * Lanes that are left over hold zeros.
+   *
+   * A hexahedron with one point resists its hourglass modes with forces hourglass (lambda + 2 mu) V |grad
+   * N|^2 gamma (gamma.u), and heat with k in the place of lambda + 2 mu (Flanagan and Belytschko 1981;
+   * constant in the total Lagrangian form: Joldes, Wittek and Miller 2008). Affine motion it does not see,
+   * rotations of the deformed cell neither.
    */
   template <typename Number>
-  struct TetrahedraSweep
+  struct CellSweep
   {
     const std::uint32_t *offsets   = nullptr;
     const Number        *constants = nullptr; ///< on a boundary of 64 bytes
     std::size_t          n_groups  = 0;
     const Number        *values    = nullptr; ///< of nodes, on a boundary of 64 bytes
     Number              *forces    = nullptr; ///< of nodes, on a boundary of 64 bytes; the sweep adds to them
+    int                  n_points  = 1;       ///< 1, or for hexahedra also 8
+    double               hourglass = 0.;      ///< dimensionless, hexahedra with one point
     SweepMaterial        material;
   };
 
@@ -115,7 +127,7 @@ namespace Cautery
   struct TledKernel
   {
     /// Adds the forces of all groups. False if a cell is inverted (J <= 0) or its J is no number.
-    using Sweep = bool (*)(const TetrahedraSweep<Number> &);
+    using Sweep = bool (*)(const CellSweep<Number> &);
     using Step  = void (*)(const NodeStep<Number> &);
 
     unsigned int lanes                 = 1;

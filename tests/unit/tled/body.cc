@@ -17,30 +17,50 @@ namespace Cautery::Test
       return std::uniform_real_distribution<>(-size, size)(generator);
     }
 
-    /** What @p work(shape, H, directions, thermal strain, corners) makes of each cell. */
-    template <typename Work>
-    void for_each_cell(const Body &body, const Records &values, const Work &work)
+    template <int corners>
+    void add_cell(const std::array<std::uint32_t, corners> &nodes, CellMesh<corners> &mesh, Body &body)
     {
-      for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
+      mesh.cells.push_back(nodes);
+      mesh.directions.insert(mesh.directions.end(), body.directions.begin(), body.directions.end());
+      std::array<Point<3>, corners> places;
+      for (int a = 0; a < corners; ++a)
+        places[a] = body.nodes[nodes[a]];
+      const auto points = integration_points(places, body.n_points);
+      for (unsigned int q = 0; q < points.size(); ++q)
         {
-          const auto             &corners = body.mesh.cells[cell];
-          std::array<Point<3>, 4> points;
-          for (int a = 0; a < 4; ++a)
-            points[a] = body.mesh.nodes[corners[a]];
-          const TetrahedronShape shape(points);
-          Matrix3<double>        h    = {};
-          double                 mean = 0.;
-          for (int a = 0; a < 4; ++a)
+          CellPoint point;
+          point.nodes.assign(nodes.begin(), nodes.end());
+          point.gradients.assign(points[q].gradients, points[q].gradients + corners);
+          point.volume = points[q].volume;
+          for (unsigned int a = 0; a < corners; ++a)
             {
-              mean += values[4 * corners[a] + 3] / 4.;
+              double shape = 1. / corners;
+              if (points.size() == 8)
+                for (unsigned int bit = 1; bit < 8; bit *= 2)
+                  shape *= 1. + ((a & bit) == (q & bit) ? 1. : -1.) / std::sqrt(3.);
+              point.shapes.push_back(shape);
+            }
+          body.points.push_back(point);
+        }
+    }
+
+    /** What @p work(point, H, T - T_0) makes of each point. */
+    template <typename Work>
+    void for_each_point(const Body &body, const Records &values, const Work &work)
+    {
+      for (const CellPoint &point : body.points)
+        {
+          Matrix3<double> h       = {};
+          double          heating = 0.;
+          for (unsigned int a = 0; a < point.nodes.size(); ++a)
+            {
+              const double *value = &values[4 * point.nodes[a]];
+              heating += point.shapes[a] * value[3];
               for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j)
-                  h(i, j) +=
-                    (values[4 * corners[a] + i] - values[4 * corners[0] + i]) * shape.gradients[a][j];
+                  h(i, j) += (value[i] - values[4 * point.nodes[0] + i]) * point.gradients[a][j];
             }
-          const auto first = body.mesh.directions.begin() + body.mesh.n_fibres * cell;
-          work(
-            shape, h, ElasticLaw::Directions(first, first + body.mesh.n_fibres), expansion * mean, corners);
+          work(point, h, heating);
         }
     }
   } // namespace
@@ -60,6 +80,15 @@ namespace Cautery::Test
             result.push_back({"neo-Hookean, " + std::to_string(n_fibres) + " fibres" + heat,
                               {Law::neo_hookean, form.second, n_fibres, conduction}});
         }
+    const std::vector<Case> tetrahedra = result;
+    for (const int n_points : {1, 8})
+      for (Case item : tetrahedra)
+        {
+          item.name += n_points == 1 ? ", hexahedra with one point" : ", hexahedra";
+          item.choice.hexahedra = true;
+          item.n_points         = n_points;
+          result.push_back(item);
+        }
     return result;
   }
 
@@ -67,36 +96,49 @@ namespace Cautery::Test
   {
     generator.seed(11);
     Body body;
-    body.choice = item.choice;
+    body.choice   = item.choice;
+    body.n_points = item.n_points;
     for (unsigned int i = 0; i <= edge; ++i)
       for (unsigned int j = 0; j <= edge; ++j)
         for (unsigned int k = 0; k <= edge; ++k)
-          body.mesh.nodes.emplace_back(1. * i / edge, 1. * j / edge, 1. * k / edge);
-    for (unsigned int n = 0; n < body.mesh.nodes.size(); ++n)
+          body.nodes.emplace_back(1. * i / edge, 1. * j / edge, 1. * k / edge);
+    for (unsigned int n = 0; n < body.nodes.size(); ++n)
       if (is_inside(body, n))
         for (int d = 0; d < 3; ++d)
-          body.mesh.nodes[n][d] += random_number(0.05);
+          body.nodes[n][d] += random_number(0.05);
+    const ElasticLaw::Directions directions = {{{0.6, 0.8, 0.}}, {{0.48, -0.6, 0.64}}, {{0., 0., 1.}}};
+    body.directions.assign(directions.begin(), directions.begin() + item.choice.n_fibres);
+    body.tetrahedra.nodes = body.hexahedra.nodes = body.nodes;
+    body.tetrahedra.n_fibres = body.hexahedra.n_fibres = item.choice.n_fibres;
 
     const int paths[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     for (unsigned int i = 0; i < edge * edge * edge; ++i)
-      for (const auto &path : paths)
-        {
-          unsigned int            at[3] = {i / (edge * edge), i / edge % edge, i % edge};
-          TetrahedraMesh::Corners corners;
-          for (int a = 0; a < 4; ++a)
+      {
+        const auto node = [](const unsigned int x, const unsigned int y, const unsigned int z) {
+          return (x * (edge + 1) + y) * (edge + 1) + z;
+        };
+        const unsigned int origin[3] = {i / (edge * edge), i / edge % edge, i % edge};
+        if (item.choice.hexahedra)
+          {
+            HexahedraMesh::Corners corners;
+            for (unsigned int a = 0; a < 8; ++a)
+              corners[a] = node(origin[0] + a % 2, origin[1] + a / 2 % 2, origin[2] + a / 4);
+            add_cell<8>(corners, body.hexahedra, body);
+          }
+        else
+          for (const auto &path : paths)
             {
-              corners[a] = (at[0] * (edge + 1) + at[1]) * (edge + 1) + at[2];
-              if (a < 3)
-                ++at[path[a]];
+              unsigned int            at[3] = {origin[0], origin[1], origin[2]};
+              TetrahedraMesh::Corners corners;
+              for (int a = 0; a < 4; ++a)
+                {
+                  corners[a] = node(at[0], at[1], at[2]);
+                  if (a < 3)
+                    ++at[path[a]];
+                }
+              add_cell<4>(corners, body.tetrahedra, body);
             }
-          body.mesh.cells.push_back(corners);
-        }
-
-    body.mesh.n_fibres                  = item.choice.n_fibres;
-    const Vector3<double> directions[3] = {{{0.6, 0.8, 0.}}, {{0.48, -0.6, 0.64}}, {{0., 0., 1.}}};
-    for (unsigned int cell = 0; cell < body.mesh.cells.size(); ++cell)
-      for (unsigned int f = 0; f < item.choice.n_fibres; ++f)
-        body.mesh.directions.push_back(directions[f]);
+      }
 
     body.law.stretch = item.choice.stretch;
     if (item.choice.law == SweepChoice::Law::small_strain)
@@ -111,14 +153,14 @@ namespace Cautery::Test
   bool is_inside(const Body &body, const unsigned int node)
   {
     for (int d = 0; d < 3; ++d)
-      if (body.mesh.nodes[node][d] < 1e-12 || body.mesh.nodes[node][d] > 1. - 1e-12)
+      if (body.nodes[node][d] < 1e-12 || body.nodes[node][d] > 1. - 1e-12)
         return false;
     return true;
   }
 
   Records random_values(const Body &body, const double size)
   {
-    Records values(node_record * body.mesh.nodes.size());
+    Records values(node_record * body.nodes.size());
     for (unsigned int i = 0; i < values.size(); ++i)
       values[i] =
         static_cast<float>(i % node_record == 3 ? random_number(30.) * size / 0.08 : random_number(size));
@@ -129,7 +171,7 @@ namespace Cautery::Test
   affine_values(const Body &body, const Tensor<2, 3> &f, const Vector3<double> &shift, const double heating)
   {
     Records values;
-    for (const Point<3> &node : body.mesh.nodes)
+    for (const Point<3> &node : body.nodes)
       {
         for (int c = 0; c < 3; ++c)
           values.push_back(f[c] * node - node[c] + shift[c]);
@@ -148,37 +190,32 @@ namespace Cautery::Test
   Records scalar_forces(const Body &body, const Records &values)
   {
     Records forces(values.size(), 0.);
-    for_each_cell(
-      body,
-      values,
-      [&](const auto &shape, const auto &h, const auto &a, const double strain, const auto &corners) {
-        Matrix3<double> stress = {};
-        if (body.choice.law != SweepChoice::Law::none)
-          stress = body.law.stress(h, a, strain);
-        Vector3<double> slope = {};
-        if (body.choice.conduction)
-          for (int corner = 0; corner < 4; ++corner)
-            for (int j = 0; j < 3; ++j)
-              slope[j] += shape.gradients[corner][j] * values[4 * corners[corner] + 3];
-        for (int corner = 0; corner < 4; ++corner)
-          {
-            const Vector3<double> force = stress * shape.gradients[corner];
-            for (int c = 0; c < 3; ++c)
-              forces[4 * corners[corner] + c] += shape.volume * force[c];
-            forces[4 * corners[corner] + 3] +=
-              shape.volume * conductivity * dot(slope, shape.gradients[corner]);
-          }
-      });
+    for_each_point(body, values, [&](const CellPoint &point, const auto &h, const double heating) {
+      Matrix3<double> stress = {};
+      if (body.choice.law != SweepChoice::Law::none)
+        stress = body.law.stress(h, body.directions, expansion * heating);
+      Vector3<double> slope = {};
+      if (body.choice.conduction)
+        for (unsigned int a = 0; a < point.nodes.size(); ++a)
+          for (int j = 0; j < 3; ++j)
+            slope[j] += point.gradients[a][j] * values[4 * point.nodes[a] + 3];
+      for (unsigned int a = 0; a < point.nodes.size(); ++a)
+        {
+          const Vector3<double> force = stress * point.gradients[a];
+          for (int c = 0; c < 3; ++c)
+            forces[4 * point.nodes[a] + c] += point.volume * force[c];
+          forces[4 * point.nodes[a] + 3] += point.volume * conductivity * dot(slope, point.gradients[a]);
+        }
+    });
     return forces;
   }
 
   double energy(const Body &body, const Records &values)
   {
     double sum = 0.;
-    for_each_cell(
-      body, values, [&](const auto &shape, const auto &h, const auto &a, const double strain, const auto &) {
-        sum += shape.volume * body.law.energy(h, a, strain);
-      });
+    for_each_point(body, values, [&](const CellPoint &point, const auto &h, const double heating) {
+      sum += point.volume * body.law.energy(h, body.directions, expansion * heating);
+    });
     return sum;
   }
 
@@ -193,7 +230,7 @@ namespace Cautery::Test
     for (unsigned int i = 0; i < body.law.fibres.size(); ++i)
       {
         const Fibres      &fibres = body.law.fibres[i];
-        const auto        &v      = body.mesh.directions[i].entries;
+        const auto        &v      = body.directions[i].entries;
         const Tensor<1, 3> a({v[0], v[1], v[2]});
         const double       stretch = a * (c * a) / (s * s) - 1.;
         if (stretch > 0. || !fibres.tension_only)
@@ -206,27 +243,48 @@ namespace Cautery::Test
   namespace
   {
     /** Calls the kernel; returns what it returned. */
-    template <typename Number>
-    bool run(const Body &body, const Records &values, const InstructionSet instruction_set, Records &forces)
+    template <typename Number, int corners>
+    bool run(const Body              &body,
+             const CellMesh<corners> &mesh,
+             const Records           &values,
+             const InstructionSet     instruction_set,
+             const double             hourglass,
+             Records                 &forces)
     {
-      const TledKernel<Number>     kernel = tled_kernel<Number>(instruction_set);
-      const TledTetrahedra<Number> cells(body.mesh, kernel.lanes);
-      AlignedVector<Number>        x(values.size()), f(values.size());
+      const TledKernel<Number>         kernel = tled_kernel<Number>(instruction_set);
+      const TledCells<corners, Number> cells(mesh, kernel.lanes, body.n_points);
+      AlignedVector<Number>            x(values.size()), f(values.size());
       std::copy(values.begin(), values.end(), x.begin());
-      TetrahedraSweep<Number> sweep = cells.sweep(body.material());
-      sweep.values                  = x.data();
-      sweep.forces                  = f.data();
-      const bool healthy            = kernel.find(body.choice)(sweep);
+      CellSweep<Number> sweep = cells.sweep(body.material());
+      sweep.values            = x.data();
+      sweep.forces            = f.data();
+      sweep.hourglass         = hourglass;
+      const bool healthy      = kernel.find(body.choice)(sweep);
       forces.assign(f.begin(), f.end());
       return healthy;
+    }
+
+    template <typename Number>
+    bool run(const Body          &body,
+             const Records       &values,
+             const InstructionSet instruction_set,
+             const double         hourglass,
+             Records             &forces)
+    {
+      return body.choice.hexahedra ?
+               run<Number>(body, body.hexahedra, values, instruction_set, hourglass, forces) :
+               run<Number>(body, body.tetrahedra, values, instruction_set, hourglass, forces);
     }
   } // namespace
 
   template <typename Number>
-  Records lane_forces(const Body &body, const Records &values, const InstructionSet instruction_set)
+  Records lane_forces(const Body          &body,
+                      const Records       &values,
+                      const InstructionSet instruction_set,
+                      const double         hourglass)
   {
     Records forces;
-    AssertThrow(run<Number>(body, values, instruction_set, forces), ExcInternalError());
+    AssertThrow(run<Number>(body, values, instruction_set, hourglass, forces), ExcInternalError());
     return forces;
   }
 
@@ -234,11 +292,11 @@ namespace Cautery::Test
   bool is_healthy(const Body &body, const Records &values, const InstructionSet instruction_set)
   {
     Records forces;
-    return run<Number>(body, values, instruction_set, forces);
+    return run<Number>(body, values, instruction_set, 0., forces);
   }
 
-  template Records lane_forces<float>(const Body &, const Records &, const InstructionSet);
-  template Records lane_forces<double>(const Body &, const Records &, const InstructionSet);
+  template Records lane_forces<float>(const Body &, const Records &, const InstructionSet, const double);
+  template Records lane_forces<double>(const Body &, const Records &, const InstructionSet, const double);
   template bool    is_healthy<float>(const Body &, const Records &, const InstructionSet);
   template bool    is_healthy<double>(const Body &, const Records &, const InstructionSet);
 } // namespace Cautery::Test

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cautery/laws/elastic_law.h>
-#include <cautery/physics/tled_tetrahedra.h>
+#include <cautery/physics/tled_cells.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -21,16 +21,30 @@ namespace Cautery::Test
   {
     std::string name;
     SweepChoice choice;
+    int         n_points = 1;
   };
   std::vector<Case> cases();
 
-  /** The unit cube in 3 x 3 x 3 x 6 tetrahedra, its inner nodes moved at random, with other fibres in each
-   * cell. */
+  /** A point of integration of some cell. */
+  struct CellPoint
+  {
+    std::vector<std::uint32_t>   nodes;
+    std::vector<Vector3<double>> gradients; ///< of the nodes' shape functions
+    std::vector<double>          shapes;    ///< their values
+    double                       volume;
+  };
+
+  /** The unit cube in 3 x 3 x 3 hexahedra, or six tetrahedra for each, its inner nodes moved at random. */
   struct Body
   {
-    SweepChoice    choice;
-    TetrahedraMesh mesh;
-    ElasticLaw     law; ///< the same physics, for single points
+    SweepChoice            choice;
+    int                    n_points;
+    std::vector<Point<3>>  nodes;
+    TetrahedraMesh         tetrahedra; ///< one of the two has cells
+    HexahedraMesh          hexahedra;
+    std::vector<CellPoint> points;
+    ElasticLaw::Directions directions; ///< of the fibres, the same in all cells
+    ElasticLaw             law;        ///< the same physics, for single points
 
     SweepMaterial material() const
     {
@@ -51,12 +65,15 @@ namespace Cautery::Test
   Records scalar_forces(const Body &body, const Records &values);
   /** The strain energy of the body, J. */
   double energy(const Body &body, const Records &values);
-  /** P = F S from Eq. 7-14 with the right J, for the first cell's fibres, which must be everybody's. */
+  /** P = F S from Eq. 7-14 with the right J. */
   Tensor<2, 3> textbook_first_stress(const Body &body, const Tensor<2, 3> &f, const double heating);
 
-  /** Forces from the kernel. */
+  /** Forces from the kernel; @p hourglass is for hexahedra with one point. */
   template <typename Number>
-  Records lane_forces(const Body &body, const Records &values, const InstructionSet instruction_set);
+  Records lane_forces(const Body          &body,
+                      const Records       &values,
+                      const InstructionSet instruction_set,
+                      const double         hourglass = 0.);
   /** Does the kernel find every cell sound? */
   template <typename Number>
   bool is_healthy(const Body &body, const Records &values, const InstructionSet instruction_set);
