@@ -38,6 +38,18 @@ namespace Cautery
       CAUTERY_INLINE L row(const int i) const { return L::load(constants + i * lanes<Number>); }
       CAUTERY_INLINE L volume() const { return row(3 * corners - 3); }
 
+      /** Corners 1, 2, ... as 0, 1, ...: written out, because GCC keeps arrays that loops run over in memory.
+       */
+      using Others = std::make_index_sequence<corners - 1>;
+
+      /** The derivative along axis @p j of component @p c of the values. */
+      template <std::size_t... other>
+      CAUTERY_INLINE L slope(const Values &at, const int c, const int j, std::index_sequence<other...>) const
+      {
+        const L origin = at[0].component[c];
+        return (... + ((at[other + 1].component[c] - origin) * row(3 * other + j)));
+      }
+
       CAUTERY_INLINE Matrix3<L> displacement_gradient(const Values &at) const
       {
         Matrix3<L> h;
@@ -54,31 +66,29 @@ namespace Cautery
       }
 
       /** Gives component @p i of the forces: @p flux times the gradients. */
-      CAUTERY_INLINE void distribute(const L (&flux)[3], const int i, Values &on) const
+      template <std::size_t... other>
+      CAUTERY_INLINE void
+      distribute(const L (&flux)[3], const int i, Values &on, std::index_sequence<other...>) const
       {
-        for (int corner = 1; corner < corners; ++corner)
-          {
-            const L part =
-              flux[0] * row(3 * corner - 3) + flux[1] * row(3 * corner - 2) + flux[2] * row(3 * corner - 1);
-            on[corner].component[i] = corners == 4 ? part : on[corner].component[i] + part;
-          }
+        const auto part = [&](const int k) {
+          return flux[0] * row(3 * k) + flux[1] * row(3 * k + 1) + flux[2] * row(3 * k + 2);
+        };
         if constexpr (corners == 4)
-          on[0].component[i] = -(on[1].component[i] + on[2].component[i] + on[3].component[i]);
+          {
+            ((on[other + 1].component[i] = part(other)), ...);
+            on[0].component[i] = -(... + on[other + 1].component[i]);
+          }
+        else
+          ((on[other + 1].component[i] = on[other + 1].component[i] + part(other)), ...);
       }
 
       CAUTERY_INLINE void conduct(const Values &at, Values &flow) const
       {
-        const L weight = volume() * material.conductivity;
-        const L origin = at[0].component[3];
-        L       flux[3];
-        for (int j = 0; j < 3; ++j)
-          {
-            L slope = (at[1].component[3] - origin) * row(j);
-            for (int corner = 2; corner < corners; ++corner)
-              slope = slope + (at[corner].component[3] - origin) * row(3 * corner - 3 + j);
-            flux[j] = weight * slope;
-          }
-        distribute(flux, 3, flow);
+        const L weight  = volume() * material.conductivity;
+        const L flux[3] = {weight * slope(at, 3, 0, Others()),
+                           weight * slope(at, 3, 1, Others()),
+                           weight * slope(at, 3, 2, Others())};
+        distribute(flux, 3, flow, Others());
       }
 
       template <typename Meanwhile>
@@ -120,7 +130,7 @@ namespace Cautery
               {
                 const L flux[3] = {
                   weight * point.stress(i, 0), weight * point.stress(i, 1), weight * point.stress(i, 2)};
-                distribute(flux, i, on);
+                distribute(flux, i, on, Others());
               }
           }
         else
