@@ -156,6 +156,7 @@ namespace Cautery
                                         const int                n_points)
     : lanes(lanes)
     , n_points(n_points)
+    , n_fibres(mesh.n_fibres)
     , n_rows(n_points * (3 * corners - 2) + (corners == 8 && n_points == 1 ? 29 : 0) + 3 * mesh.n_fibres)
   {
     Assert(mesh.directions.size() == mesh.n_fibres * mesh.cells.size(),
@@ -220,6 +221,7 @@ namespace Cautery
   template <int corners, typename Number>
   CellSweep<Number> TledCells<corners, Number>::sweep(const SweepMaterial &material) const
   {
+    Assert(material.n_fibres == n_fibres, ExcDimensionMismatch(material.n_fibres, n_fibres));
     CellSweep<Number> result;
     result.offsets   = offsets.data();
     result.constants = constants.data();

@@ -72,6 +72,7 @@ namespace Cautery
 
     const unsigned int           lanes;
     const int                    n_points;
+    const std::size_t            n_fibres;
     const std::size_t            n_rows; ///< of constants
     std::size_t                  n_groups = 0;
     AlignedVector<std::uint32_t> offsets;
