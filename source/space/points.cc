@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/space/cell_number.h>
 #include <cautery/space/points.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 
 namespace Cautery
@@ -13,20 +13,6 @@ namespace Cautery
   {
     /// In reference coordinates: what rounding does to a place that was meant to lie on a face.
     constexpr double tolerance = 1e-9;
-
-    /// Signed: Open MPI 4.1 compares unsigned numbers of 64 bits as if they were signed.
-    using Number = std::int64_t;
-
-    /** A cell's number in the undistributed mesh, the same for any number of processes. */
-    template <int dim>
-    Number number_of(const typename Triangulation<dim>::active_cell_iterator &cell)
-    {
-      const CellId id     = cell->id();
-      Number       number = id.get_coarse_cell_id();
-      for (const auto child : id.get_child_indices())
-        number = number * GeometryInfo<dim>::max_children_per_cell + child;
-      return number;
-    }
 
     template <int dim>
     std::optional<Point<dim>> unit_place(const Mesh<dim>                                         &mesh,
@@ -79,7 +65,7 @@ namespace Cautery
       {
         const Cell &cell = box->second;
         if (const auto unit = unit_place(mesh, cell, place))
-          if (!found || number_of<dim>(cell) < number_of<dim>(found->cell))
+          if (!found || cell_number<dim>(cell) < cell_number<dim>(found->cell))
             found = Location{cell, *unit};
       }
     return found;
@@ -89,14 +75,14 @@ namespace Cautery
   std::vector<typename PointLocator<dim>::Result>
   PointLocator<dim>::find(const std::vector<Point<dim>> &places) const
   {
-    constexpr Number    none = std::numeric_limits<Number>::max();
-    std::vector<Result> results(places.size());
-    std::vector<Number> own_numbers(places.size(), none), lowest_numbers(places.size());
+    constexpr CellNumber    none = std::numeric_limits<CellNumber>::max();
+    std::vector<Result>     results(places.size());
+    std::vector<CellNumber> own_numbers(places.size(), none), lowest_numbers(places.size());
     for (unsigned int p = 0; p < places.size(); ++p)
       {
         results[p].location = find_among_own(places[p]);
         if (results[p].location)
-          own_numbers[p] = number_of<dim>(results[p].location->cell);
+          own_numbers[p] = cell_number<dim>(results[p].location->cell);
       }
     Utilities::MPI::min(own_numbers, mesh.communicator(), lowest_numbers);
     for (unsigned int p = 0; p < places.size(); ++p)

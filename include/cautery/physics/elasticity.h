@@ -3,11 +3,10 @@
 
 #include <cautery/physics/balance.h>
 #include <cautery/physics/coupling.h>
-#include <cautery/physics/prescribed.h>
-#include <cautery/space/points.h>
+#include <cautery/physics/outer_load.h>
+#include <cautery/physics/supports.h>
 
 #include <memory>
-#include <optional>
 
 namespace Cautery
 {
@@ -35,9 +34,9 @@ namespace Cautery
     Vector State::*unknown() const override { return &State::displacement; }
     Vector State::*rate() const override { return keeps_rate ? &State::displacement_rate : nullptr; }
 
-    const Elimination &elimination() const override { return eliminated; }
-    void               prescribe(const double time, Vector &x) const override { prescribed.set(time, x); }
-    bool               prescription_changes() const override { return prescribed.depends_on_time(); }
+    const Elimination &elimination() const override { return supports.elimination(); }
+    void               prescribe(const double time, Vector &x) const override { supports.prescribe(time, x); }
+    bool               prescription_changes() const override { return supports.prescription_changes(); }
     void               load(const Step &step, const State &state, Vector &force) const override;
     bool               changes() const override { return properties_change; }
     bool               depends_on_iterate() const override { return false; }
@@ -49,43 +48,31 @@ namespace Cautery
     /** The load at @p time alone, for equilibrium; the thermal part is that of @p state's temperature. */
     void load_at(const double time, const State &state, Vector &force) const;
 
-    /** Are there prescribed displacements other than zero? */
-    bool moved() const { return !prescribed.homogeneous(); }
-
     const Field<dim> &field() const { return displacement; }
     /** The linear thermal expansion; nullptr where it is off or not linear. */
     const ThermalExpansionOperator<dim> *expansion() const { return expansion_operator.get(); }
 
   private:
-    void constrain(const BoundaryMap<dim> &boundaries);
-    void check_held() const;
     void initialize_matrices();
     /** Where the tissue has the @p temperature (with ghosts), or nullptr for its reference temperature. */
     void assemble_stiffness(const Vector *temperature);
     void assemble_mass();
-    void assemble_outer_load(const double time, Vector &force) const;
-    void add_point_loads(const double time, Vector &force) const;
 
-    const Scene            &scene;
-    const Field<dim>       &displacement;
-    const Field<dim>       &nodes;
-    const TissueMap<dim>   &tissues;
-    const BoundaryMap<dim> &boundaries;
-    const bool              has_inertia;
-    const bool              properties_change;
-    const bool              keeps_rate; ///< inertia, or non-Fourier heat that feels the rate's change
-    bool                    needs_full;
-    bool                    outer_load_changes = false;
+    const Scene          &scene;
+    const Field<dim>     &displacement;
+    const Field<dim>     &nodes;
+    const TissueMap<dim> &tissues;
+    const bool            has_inertia;
+    const bool            properties_change;
+    const bool            keeps_rate; ///< inertia, or non-Fourier heat that feels the rate's change
+    bool                  needs_full;
 
-    Prescribed<dim>           prescribed;
-    AffineConstraints<double> fixed;
-    AffineConstraints<double> nothing_fixed;
-    Elimination               eliminated;
-    ConstrainedMatrix         mass;
-    ConstrainedMatrix         elastic;
-    Vector                    outer_load;   ///< at t = 0, N
-    Vector                    thermal_load; ///< where properties change, N
-    std::vector<std::optional<typename PointLocator<dim>::Location>> load_places;
-    std::unique_ptr<ThermalExpansionOperator<dim>>                   expansion_operator;
+    const Supports<dim>                            supports;
+    const OuterLoad<dim>                           outer_load;
+    AffineConstraints<double>                      nothing_fixed;
+    ConstrainedMatrix                              mass;
+    ConstrainedMatrix                              elastic;
+    Vector                                         thermal_load; ///< where properties change, N
+    std::unique_ptr<ThermalExpansionOperator<dim>> expansion_operator;
   };
 } // namespace Cautery

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/grid/tria.h>
+
+#include <cstdint>
+
+namespace Cautery
+{
+  using namespace dealii;
+
+  /// Signed: Open MPI 4.1 compares unsigned numbers of 64 bits as if they were signed.
+  using CellNumber = std::int64_t;
+
+  /** A cell's number in the undistributed mesh, the same for any number of processes. */
+  template <int dim>
+  CellNumber cell_number(const typename Triangulation<dim>::active_cell_iterator &cell)
+  {
+    const CellId id     = cell->id();
+    CellNumber   number = id.get_coarse_cell_id();
+    for (const auto child : id.get_child_indices())
+      number = number * GeometryInfo<dim>::max_children_per_cell + child;
+    return number;
+  }
+} // namespace Cautery
