@@ -8,15 +8,13 @@ namespace Cautery
   MechanicalProblem<dim>::MechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost)
     : scene(scene)
     , field(body.nodes, dim)
-    , elasticity(scene, field, body.nodes, body.tissues, body.boundaries, body.locator)
+    , statics(scene, body, field, cost)
     , gradients(body.nodes, body.tissues)
     , recovery(scene.effects, gradients, field, body.tissues)
   {
     if (scene.effects.deformation == Effects::Deformation::inertia)
       integrator = std::make_unique<BackwardEuler>(
-        scene.time, scene.numerics, std::vector<Balance *>{&elasticity}, cost);
-    else
-      equilibrium = std::make_unique<Equilibrium>(elasticity, cost);
+        scene.time, scene.numerics, std::vector<Balance *>{statics.small.get()}, cost);
   }
 
   template <int dim>
@@ -45,9 +43,9 @@ namespace Cautery
   template <int dim>
   void MechanicalProblem<dim>::complete(State &state)
   {
-    if (!equilibrium || solved_at == state.time)
+    if (integrator || solved_at == state.time)
       return;
-    equilibrium->solve(state);
+    statics.equilibrium->solve(state);
     solved_at = state.time;
   }
 
@@ -69,9 +67,7 @@ namespace Cautery
   template <int dim>
   std::map<std::string, double> MechanicalProblem<dim>::statistics() const
   {
-    if (integrator)
-      return integrator->statistics();
-    return {{"linear_iterations_deformation", equilibrium->iterations()}};
+    return integrator ? integrator->statistics() : statics.equilibrium->statistics();
   }
 
   template class MechanicalProblem<2>;

@@ -23,9 +23,8 @@ namespace Cautery
     , cost(cost)
     , field(body.nodes, dim)
     , heat(scene, body.nodes, body.tissues, body.boundaries, body.locator)
-    , elasticity(scene, field, body.nodes, body.tissues, body.boundaries, body.locator)
+    , statics(scene, body, field, cost)
     , displacement_at_every_step(every_step(scene))
-    , equilibrium(elasticity, cost)
     , gradients(body.nodes, body.tissues)
     , recovery(scene.effects, gradients, field, body.tissues)
   {
@@ -42,7 +41,7 @@ namespace Cautery
         feedback =
           std::make_unique<ThermoelasticFeedback<dim>>(body.nodes, field, body.tissues, heat.relaxes());
         integrator = std::make_unique<CoupledBackwardEuler<dim>>(
-          scene.time, scene.numerics, heat, elasticity, *elasticity.expansion(), *feedback, cost);
+          scene.time, scene.numerics, heat, *statics.small, *statics.small->expansion(), *feedback, cost);
       }
     else if (scene.time.integrator == TimeSettings::Integrator::ida)
       integrator = std::make_unique<IdaHeat<dim>>(scene.time, heat, cost);
@@ -50,7 +49,7 @@ namespace Cautery
       {
         std::vector<Balance *> balances = {&heat};
         if (scene.effects.deformation == Effects::Deformation::inertia)
-          balances.push_back(&elasticity);
+          balances.push_back(statics.small.get());
         integrator = std::make_unique<BackwardEuler>(scene.time, scene.numerics, balances, cost);
       }
   }
@@ -61,13 +60,12 @@ namespace Cautery
     State state;
     start_heat(scene, body.nodes, state);
     state.displacement = field.vector();
-    if (elasticity.rate() != nullptr)
+    if (statics.small && statics.small->rate() != nullptr)
       state.displacement_rate = field.vector();
     // with inertia a body starts at rest and undeformed; without it, in equilibrium
-    if (scene.effects.deformation == Effects::Deformation::equilibrium &&
-        (displacement_at_every_step || feedback))
+    if (statics.equilibrium && (displacement_at_every_step || feedback))
       {
-        equilibrium.solve(state);
+        statics.equilibrium->solve(state);
         solved_at = state.time;
       }
     if (damage)
@@ -98,10 +96,10 @@ namespace Cautery
   template <int dim>
   void ThermomechanicalProblem<dim>::complete(State &state)
   {
-    const bool integrated = feedback || scene.effects.deformation == Effects::Deformation::inertia;
+    const bool integrated = feedback || !statics.equilibrium;
     if (integrated || solved_at == state.time)
       return;
-    equilibrium.solve(state);
+    statics.equilibrium->solve(state);
     solved_at = state.time;
   }
 
@@ -125,7 +123,7 @@ namespace Cautery
                                                              {"displacement", field.n_unknowns()}};
     if (heat.relaxes())
       result["temperature_rate"] = body.nodes.n_unknowns();
-    if (elasticity.rate() != nullptr)
+    if (statics.small && statics.small->rate() != nullptr)
       result["displacement_rate"] = field.n_unknowns();
     return result;
   }
@@ -134,8 +132,8 @@ namespace Cautery
   std::map<std::string, double> ThermomechanicalProblem<dim>::statistics() const
   {
     auto result = integrator->statistics();
-    if (equilibrium.iterations() > 0)
-      result["linear_iterations_deformation"] = equilibrium.iterations();
+    if (statics.equilibrium)
+      result.merge(statics.equilibrium->statistics());
     return result;
   }
 

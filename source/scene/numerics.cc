@@ -55,6 +55,7 @@ namespace Cautery
             Bounds{1., 1e6, false, false});
     p.section("Heat solver", [&]() { heat_solver.parameters(p); });
     p.section("Deformation solver", [&]() { deformation_solver.parameters(p); });
+    p.section("Newton", [&]() { newton.parameters(p); });
   }
 
   void TimeSettings::parameters(Parameters &p)

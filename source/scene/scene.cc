@@ -172,8 +172,10 @@ namespace Cautery
                  boundary.mechanical == Boundary::Mechanical::displacement ||
                  boundary.mechanical == Boundary::Mechanical::roller;
         }
+      const bool at_rest = scene.effects.deformation == Effects::Deformation::equilibrium ||
+                           scene.effects.deformation == Effects::Deformation::large_equilibrium;
       require(
-        held || scene.effects.deformation != Effects::Deformation::equilibrium,
+        held || !at_rest,
         "Boundaries: nothing holds the body, so it has no equilibrium; set Mechanical = fixed, roller or "
         "displacement somewhere, or Effects/Deformation = inertia");
     }
@@ -211,6 +213,11 @@ namespace Cautery
           !scene.effects.damage_needs_strain_energy(),
         "Numerics/Displacement at = output times, but the damage law needs strain energy at every step; "
         "choose automatic");
+      require(
+        scene.effects.coupling != Effects::Coupling::two_way ||
+          scene.effects.deformation != Effects::Deformation::large_equilibrium,
+        "Effects/Coupling = two-way is for small deformation; choose Coupling = expansion or Deformation = "
+        "equilibrium");
       require(scene.effects.coupling != Effects::Coupling::two_way || !scene.elastic_properties_change(),
               "Effects/Coupling = two-way needs elastic properties that do not depend on temperature and "
               "`Thermal stretch = linearised`; choose Coupling = expansion or such properties");

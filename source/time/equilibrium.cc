@@ -3,14 +3,14 @@
 
 namespace Cautery
 {
-  Equilibrium::Equilibrium(Balance &balance, Cost &cost)
+  LinearEquilibrium::LinearEquilibrium(Balance &balance, Cost &cost)
     : equation(balance), cost(cost), solver(balance.solver_settings(), balance.n_components(), [&balance]() {
       return balance.near_null_space();
     })
   {
   }
 
-  void Equilibrium::solve(State &state)
+  void LinearEquilibrium::solve(State &state)
   {
     Vector &x = state.*equation.unknown();
     if (!ready || equation.changes())
@@ -47,5 +47,12 @@ namespace Cautery
       x += solution;
     else
       x = solution;
+  }
+
+  std::map<std::string, double> LinearEquilibrium::statistics() const
+  {
+    if (n_iterations == 0)
+      return {};
+    return {{"linear_iterations_deformation", n_iterations}};
   }
 } // namespace Cautery

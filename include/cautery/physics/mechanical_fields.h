@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cautery/physics/nodal_gradients.h>
+#include <cautery/physics/tissue_elasticity.h>
 #include <cautery/scene/effects.h>
 #include <cautery/space/state.h>
 
@@ -11,17 +12,28 @@
 
 namespace Cautery
 {
+  /** Strain, stress and strain energy density at a point. */
+  template <int dim>
+  struct PointMechanics
+  {
+    SymmetricTensor<2, dim> strain; ///< small; in large deformation Green's, E = (F'F - I) / 2
+    SymmetricTensor<2, dim> stress; ///< in large deformation Cauchy's, Pa
+    double strain_energy; ///< 1/2 sigma':eps without the thermal part of the stress, or 1/2 S':E (Eq. 7-49),
+                          ///< J/m3
+    double thermal_strain_energy; ///< 1/2 sigma:eps with it (thesis Eq. 2-4), or 1/2 S:E, J/m3
+  };
+
   /**
-   * Strain, stress and strain energy density at the owned nodes: strain and stress averaged over the node's
-   * cells by volume, energies from the averaged strain, tissue by tissue.
+   * The same at the owned nodes: strain and stress averaged over the node's cells by volume, energies from
+   * the averaged strain, tissue by tissue; in large deformation all of it from the averaged gradient.
    */
   template <int dim>
   struct MechanicalFields
   {
     std::vector<SymmetricTensor<2, dim>> strain;
-    std::vector<SymmetricTensor<2, dim>> stress; ///< Pa
-    std::vector<double> strain_energy; ///< 1/2 sigma':eps without the thermal part of the stress, J/m3
-    std::vector<double> thermal_strain_energy; ///< 1/2 sigma:eps with it (thesis Eq. 2-4), J/m3
+    std::vector<SymmetricTensor<2, dim>> stress;
+    std::vector<double>                  strain_energy;
+    std::vector<double>                  thermal_strain_energy;
   };
 
   template <int dim>
@@ -36,9 +48,14 @@ namespace Cautery
     MechanicalFields<dim> evaluate(const State &state) const;
 
   private:
-    const bool                 expands;
-    const NodalGradients<dim> &gradients;
-    const Field<dim>          &displacement;
-    const TissueMap<dim>      &tissues;
+    PointMechanics<dim>
+    at_piece(const unsigned int piece, const Tensor<2, dim> &gradient, const State &state) const;
+
+    const bool                          expands;
+    const NodalGradients<dim>          &gradients;
+    const Field<dim>                   &displacement;
+    const TissueMap<dim>               &tissues;
+    std::vector<TissueElasticity>       elasticities; ///< by tissue, in large deformation only
+    std::vector<ElasticLaw::Directions> directions;   ///< of fibres, by piece
   };
 } // namespace Cautery

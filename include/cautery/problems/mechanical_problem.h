@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cautery/physics/elasticity.h>
 #include <cautery/physics/mechanical_fields.h>
 #include <cautery/problems/problem.h>
-#include <cautery/time/equilibrium.h>
+#include <cautery/problems/statics.h>
 #include <cautery/time/integrator.h>
 
 namespace Cautery
@@ -27,13 +26,12 @@ namespace Cautery
     std::map<std::string, double>                  statistics() const override;
 
   private:
-    const Scene                 &scene;
-    Field<dim>                   field;
-    Elasticity<dim>              elasticity;
-    std::unique_ptr<Equilibrium> equilibrium;
-    std::unique_ptr<Integrator>  integrator; ///< with inertia only
-    NodalGradients<dim>          gradients;
-    MechanicalRecovery<dim>      recovery;
-    double                       solved_at = -1.; ///< time of the displacement, s
+    const Scene                &scene;
+    Field<dim>                  field;
+    Statics<dim>                statics;
+    std::unique_ptr<Integrator> integrator; ///< with inertia only
+    NodalGradients<dim>         gradients;
+    MechanicalRecovery<dim>     recovery;
+    double                      solved_at = -1.; ///< time of the displacement, s
   };
 } // namespace Cautery

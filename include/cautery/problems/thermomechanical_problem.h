@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cautery/physics/damage_history.h>
-#include <cautery/physics/elasticity.h>
 #include <cautery/problems/problem.h>
-#include <cautery/time/equilibrium.h>
+#include <cautery/problems/statics.h>
 #include <cautery/time/integrator.h>
 
 namespace Cautery
@@ -36,9 +35,8 @@ namespace Cautery
     Cost                                       &cost;
     Field<dim>                                  field;
     Heat<dim>                                   heat;
-    Elasticity<dim>                             elasticity;
+    Statics<dim>                                statics;
     const bool                                  displacement_at_every_step;
-    Equilibrium                                 equilibrium;
     std::unique_ptr<ThermoelasticFeedback<dim>> feedback;
     std::unique_ptr<Integrator>                 integrator;
     NodalGradients<dim>                         gradients;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cautery/base/parameters.h>
+#include <cautery/scene/newton_settings.h>
 
 namespace Cautery
 {
@@ -51,6 +52,7 @@ namespace Cautery
     unsigned int         max_iterations      = 50;
     LinearSolverSettings heat_solver;
     LinearSolverSettings deformation_solver;
+    NewtonSettings       newton;
 
     void parameters(Parameters &p);
   };

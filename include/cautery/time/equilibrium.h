@@ -5,20 +5,36 @@
 #include <cautery/physics/balance.h>
 #include <cautery/solve/linear_solver.h>
 
+#include <map>
+#include <string>
+
 namespace Cautery
 {
   /**
-   * K x = F: a balance without rates, solved for the time of the state.
+   * Finds the state in which forces balance, for the time of the state.
    */
   class Equilibrium
   {
   public:
-    Equilibrium(Balance &balance, Cost &cost);
+    virtual ~Equilibrium() = default;
 
-    /** Errors: ExcRun where the linear solver fails. */
-    void solve(State &state);
+    /** Errors: ExcRun with the reason; @p state is then as before. */
+    virtual void solve(State &state) = 0;
 
-    unsigned int iterations() const { return n_iterations; }
+    /** Counts that a user may want to know; those of no work are left out. */
+    virtual std::map<std::string, double> statistics() const = 0;
+  };
+
+  /**
+   * K x = F: a balance without rates.
+   */
+  class LinearEquilibrium : public Equilibrium
+  {
+  public:
+    LinearEquilibrium(Balance &balance, Cost &cost);
+
+    void                          solve(State &state) override;
+    std::map<std::string, double> statistics() const override;
 
   private:
     Balance     &equation;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Equilibrium in large deformation: large GROUP. Exit status 0 if all is right.
+#include "large.h"
+
+namespace Verification
+{
+  const std::vector<Element> elements = {{"tetrahedra of degree 1", true, 1},
+                                         {"tetrahedra of degree 2", true, 2},
+                                         {"hexahedra of degree 1", false, 1},
+                                         {"hexahedra of degree 2", false, 2}};
+
+  std::vector<Override> joined(const std::vector<std::vector<Override>> &lists)
+  {
+    std::vector<Override> result;
+    for (const auto &list : lists)
+      result.insert(result.end(), list.begin(), list.end());
+    return result;
+  }
+
+  const std::vector<Override> two_families = {{"Tissues/tissue/Elastic law", "neo-Hookean"},
+                                              {"Tissues/tissue/Fibre families", "one, two"},
+                                              {"Tissues/tissue/one/Fibre direction", "0.73; 0.68; 0"},
+                                              {"Tissues/tissue/two/Fibre direction", "0.73; -0.68; 0"}};
+
+  const std::vector<Variant> laws = {{"linear", {{"Tissues/tissue/Elastic law", "linear"}}},
+                                     {"neo-Hookean", {{"Tissues/tissue/Elastic law", "neo-Hookean"}}},
+                                     {"with fibres", two_families},
+                                     {"with fibres that resist compression",
+                                      joined({two_families,
+                                              {{"Tissues/tissue/one/Fibres in tension only", "off"},
+                                               {"Tissues/tissue/two/Fibres in tension only", "off"}}})}};
+
+  const std::vector<Override> warm = {{"Effects/Heat", "Fourier"},
+                                      {"Effects/Coupling", "expansion"},
+                                      {"Initial state/Temperature", "340"},
+                                      {"Tissues/tissue/Thermal expansion coefficient", "2e-3"}};
+
+  const std::vector<Variant> heats = {
+    {"", {}},
+    {", heated, linearised", joined({warm, {{"Tissues/tissue/Thermal stretch", "linearised"}}})},
+    {", heated, exact", joined({warm, {{"Tissues/tissue/Thermal stretch", "exact"}}})}};
+
+  std::vector<Override> bent_cube(const Element &element, const Tensor<2, 3> &rotation)
+  {
+    static unsigned int n_meshes = 0;
+    const std::string   name     = std::filesystem::absolute("cube_" + std::to_string(++n_meshes) + ".msh");
+    const unsigned int  n        = element.degree == 1 ? 3 : 2;
+    BlockMesh{
+      element.tetrahedra, {{n, n, n}}, 0.2, [&](const Point<3> &unit) { return Point<3>(rotation * unit); }}
+      .write(name);
+    return {{"Mesh/Shape", "file"},
+            {"Mesh/File name", name},
+            {"Numerics/Element degree", std::to_string(element.degree)}};
+  }
+} // namespace Verification
+
+int main(int argc, char **argv)
+{
+  using namespace Verification;
+  const std::map<std::string, std::function<void(Checks &)>> groups = {
+    {"tangent", tangent}, {"order", order}, {"homogeneous", homogeneous}, {"limits", limits}, {"cook", cook}};
+  deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Checks                           checks;
+  try
+    {
+      groups.at(argc > 1 ? argv[1] : "")(checks);
+    }
+  catch (const std::exception &exception)
+    {
+      std::cerr << exception.what() << std::endl;
+      return 2;
+    }
+  return checks.all_right() ? 0 : 1;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "large.h"
+
+namespace Verification
+{
+  namespace
+  {
+    /**
+     * How far the upper right corner of scenes/cook.prm goes up, m, on n x n hexahedra in one layer, or six
+     * tetrahedra for each.
+     */
+    double tip(const Element &element, const unsigned int n)
+    {
+      const std::string name = std::filesystem::absolute("cook.msh");
+      const double      deep = 48. / n; // one layer of cells
+      BlockMesh{element.tetrahedra,
+                {{n, n, 1}},
+                0.,
+                [deep](const Point<3> &unit) {
+                  return Point<3>(
+                    48. * unit[0], 44. * unit[0] + unit[1] * (44. - 28. * unit[0]), deep * unit[2]);
+                }}
+        .write(name);
+      const auto outcome =
+        run("cook", {{"Mesh/File name", name}, {"Numerics/Element degree", std::to_string(element.degree)}});
+      std::cout << "  " << element.name << ", " << n << " x " << n << ": "
+                << outcome.end("tip", "displacement_y_m") << " m, " << outcome.summary.at("statistics").dump()
+                << '\n';
+      return outcome.end("tip", "displacement_y_m");
+    }
+  } // namespace
+
+  void cook(Checks &checks)
+  {
+    std::cout << std::setprecision(6);
+    // The clamped corner is a singularity, so that no uniform mesh converges at full order: the limit of
+    // three.
+    const auto limit = [](const Element &element) {
+      const double coarse = tip(element, 4), middle = tip(element, 8), fine = tip(element, 16);
+      const double ratio = (middle - coarse) / (fine - middle);
+      return fine + (fine - middle) / (ratio - 1.);
+    };
+    const double reference = limit(elements[3]);
+    checks.near(
+      "limit of tetrahedra over that of hexahedra, degree 2", limit(elements[1]) / reference, 1., 5e-3);
+    checks.below("hexahedra of degree 1 lock: share of the limit", tip(elements[2], 16) / reference, 0.6);
+    checks.below("tetrahedra of degree 1 lock: share of the limit", tip(elements[0], 16) / reference, 0.6);
+  }
+} // namespace Verification
