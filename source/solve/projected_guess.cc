@@ -116,10 +116,12 @@ namespace Cautery
     add(images, solutions.back(), -1., residual);
   }
 
-  /// False where nothing but rounding is left of the direction.
+  /// False where the direction is next to nothing: of what rounding makes, the image is not that of the
+  /// direction any more, and directions made of such ones grow without bounds.
   bool ProjectedGuess::orthonormalise(Vector &direction, Vector &image, Coefficients &removed) const
   {
-    const double start  = direction * image;
+    // of the solution so far, and of the correction: squares of their energy norms
+    const double whole = product(removed, removed), start = direction * image;
     double       square = start, last = 0.;
     // once, and again where so much went away that its rounding matters: Daniel, Gragg, Kaufman and Stewart,
     // Math. Comp. 30 (1976) 772-795
@@ -132,7 +134,7 @@ namespace Cautery
         last   = square;
         square = direction * image;
       }
-    if (!(square > 1e-20 * start))
+    if (!(square > 1e-8 * start && square > 1e-22 * whole))
       return false;
     direction *= 1. / std::sqrt(square);
     image *= 1. / std::sqrt(square);
