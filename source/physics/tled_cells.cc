@@ -52,15 +52,6 @@ namespace Cautery
       return result;
     }
 
-    template <int corners>
-    std::array<Point<3>, corners> corner_points(const CellMesh<corners> &mesh, const std::size_t cell)
-    {
-      std::array<Point<3>, corners> result;
-      for (int corner = 0; corner < corners; ++corner)
-        result[corner] = mesh.nodes[mesh.cells[cell][corner]];
-      return result;
-    }
-
     /**
      * Cells in groups of @p lanes that share no node where that can be had by looking @p window cells ahead.
      */
@@ -186,7 +177,7 @@ namespace Cautery
     for (int corner = 0; corner < corners; ++corner)
       offsets[(corners * g + corner) * lanes + lane] = node_record * mesh.cells[cell][corner];
 
-    const auto places = corner_points(mesh, cell);
+    const auto places = corner_places(mesh, cell);
     const auto points = integration_points(places, n_points);
     for (const auto &point : points)
       {
@@ -232,9 +223,10 @@ namespace Cautery
   }
 
   template <int corners, typename Number>
-  std::optional<std::size_t> TledCells<corners, Number>::inverted_cell(const Number *values) const
+  std::optional<typename TledCells<corners, Number>::Inverted>
+  TledCells<corners, Number>::inverted_cell(const Number *values) const
   {
-    std::optional<std::size_t> first;
+    std::optional<Inverted> worst;
     for (std::size_t i = 0; i < cell_of_lane.size(); ++i)
       for (int q = 0; q < n_points; ++q)
         {
@@ -247,10 +239,12 @@ namespace Cautery
               for (int d = 0; d < 3; ++d)
                 h(c, d) += (values[node[corner * lanes] + c] - values[node[0] + c]) *
                            rows[(3 * corner - 3 + d) * lanes];
-          if (!(Deformation<double>(h).jacobian > 0.) && (!first || cell_of_lane[i] < *first))
-            first = cell_of_lane[i];
+          const double jacobian = Deformation<double>(h).jacobian;
+          if (cell_of_lane[i] != numbers::invalid_size_type && !(jacobian > 0.) &&
+              !(worst && jacobian >= worst->jacobian))
+            worst = {cell_of_lane[i], jacobian};
         }
-    return first;
+    return worst;
   }
 
   template <int corners>
@@ -259,7 +253,7 @@ namespace Cautery
     std::vector<double> result(mesh.nodes.size(), 0.);
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
       {
-        const auto points = integration_points(corner_points(mesh, cell), corners);
+        const auto points = integration_points(corner_places(mesh, cell), corners);
         for (unsigned int q = 0; q < points.size(); ++q)
           for (int a = 0; a < corners; ++a)
             {

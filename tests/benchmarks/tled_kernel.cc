@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How many tetrahedra a second the explicit kernel does on one core, for each instruction set and precision,
-// in and out of cache: the coupled step (neo-Hookean, one family of fibres, thermal stretch, Fourier's heat,
-// step of the nodes). Beside it, what the machine can do. Usage: tled_kernel [CELLS_PER_EDGE...]
+// in and out of cache: the coupled step (neo-Hookean, one family of fibres, exact thermal stretch, Fourier's
+// heat, step of the nodes). Beside it, what the machine can do.
+// Usage: tled_kernel [deformed] [averaged] [CELLS_PER_EDGE...], with conduction in the deformed body, with
+// averaged nodal pressure (its sweep of volumes and its step too).
 #include "peak.h"
 
 #include <cautery/physics/tled_cells.h>
@@ -67,7 +69,9 @@ namespace Cautery::Benchmark
 
     /** Seconds of one step, of the tissue of thesis Table 10. */
     template <typename Number>
-    double seconds_per_step(const TetrahedraMesh &mesh, const InstructionSet instruction_set)
+    double seconds_per_step(const TetrahedraMesh &mesh,
+                            const SweepChoice    &choice,
+                            const InstructionSet  instruction_set)
     {
       const TledKernel<Number>   kernel = tled_kernel<Number>(instruction_set);
       const TledCells<4, Number> cells(mesh, kernel.lanes);
@@ -86,11 +90,23 @@ namespace Cautery::Benchmark
           gain[i] =
             i % node_record == 3 ? 1. / (4192. * mass) : duration / (mass * (1. + damping * duration / 2.));
         }
+      AlignedVector<Number> shares(mesh.nodes.size()), volume_changes(shares.size()),
+        pressures(shares.size());
+      std::copy(volumes.begin(), volumes.end(), shares.begin());
       const Fibres      fibres;
-      CellSweep<Number> sweep = cells.sweep({2347.3, 1006., &fibres, 1, 3e-4, 0.613});
-      sweep.values            = values.data();
-      sweep.forces            = forces.data();
-      NodeStep<Number> step;
+      CellSweep<Number> sweep              = cells.sweep({2347.3, 1006., &fibres, 1, 3e-4, 0.613});
+      sweep.values                         = values.data();
+      sweep.forces                         = forces.data();
+      sweep.volume_changes                 = volume_changes.data();
+      sweep.pressures                      = pressures.data();
+      const NodePressures<Number> pressure = {mesh.nodes.size(),
+                                              values.data(),
+                                              shares.data(),
+                                              volume_changes.data(),
+                                              pressures.data(),
+                                              choice.stretch,
+                                              sweep.material};
+      NodeStep<Number>            step;
       step.n_nodes  = mesh.nodes.size();
       step.values   = values.data();
       step.rates    = rates.data();
@@ -100,9 +116,15 @@ namespace Cautery::Benchmark
       step.gain     = gain.data();
       step.duration = duration;
 
-      const auto add_forces = kernel.find({SweepChoice::Law::neo_hookean, StretchForm::linearised, 1, true});
-      bool       healthy    = true;
-      const double seconds  = shortest([&]() {
+      const auto   add_volumes = kernel.find_volumes(choice);
+      const auto   add_forces  = kernel.find(choice);
+      bool         healthy     = true;
+      const double seconds     = shortest([&]() {
+        if (choice.averaged_pressure)
+          {
+            healthy = add_volumes(sweep) && healthy;
+            kernel.pressure(pressure);
+          }
         healthy = add_forces(sweep) && healthy;
         kernel.step(step);
       });
@@ -152,9 +174,16 @@ int main(int argc, char **argv)
 {
   using namespace Cautery;
   using namespace Cautery::Benchmark;
+  SweepChoice choice = {
+    SweepChoice::Law::neo_hookean, StretchForm::exact, 1, SweepChoice::Conduction::reference};
   std::vector<unsigned int> edges;
-  for (int i = 1; i < argc; ++i)
-    edges.push_back(std::stoul(argv[i]));
+  for (const std::string &argument : std::vector<std::string>(argv + 1, argv + argc))
+    if (argument == "deformed")
+      choice.conduction = SweepChoice::Conduction::deformed;
+    else if (argument == "averaged")
+      choice.averaged_pressure = true;
+    else
+      edges.push_back(std::stoul(argument));
   if (edges.empty())
     edges = {8, 20, 44, 70};
 
@@ -171,9 +200,10 @@ int main(int argc, char **argv)
         {
           const TetrahedraMesh mesh = cube(n);
           std::cout << std::setw(22) << mesh.cells.size() << std::setw(24)
-                    << mesh.cells.size() / seconds_per_step<float>(mesh, instruction_set) / 1e6
+                    << mesh.cells.size() / seconds_per_step<float>(mesh, choice, instruction_set) / 1e6
                     << std::setw(23)
-                    << mesh.cells.size() / seconds_per_step<double>(mesh, instruction_set) / 1e6 << std::endl;
+                    << mesh.cells.size() / seconds_per_step<double>(mesh, choice, instruction_set) / 1e6
+                    << std::endl;
         }
     }
   return 0;

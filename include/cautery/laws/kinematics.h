@@ -121,6 +121,22 @@ namespace Cautery
   };
 
   /**
+   * J C^-1 v = A^T A v / J with A = J F^-T: times the conductivity of the deformed body, the flux per area of
+   * the reference body (but for its sign) that belongs to the gradient @p v there of a temperature.
+   */
+  template <typename Number>
+  Vector3<Number> flux_in_reference(const Deformation<Number> &deformation, const Vector3<Number> &v)
+  {
+    const Matrix3<Number> area    = deformation.area_map();
+    const Vector3<Number> turned  = area * v;
+    const Number          inverse = 1. / deformation.jacobian;
+    Vector3<Number>       result;
+    for (int i = 0; i < 3; ++i)
+      result[i] = inverse * (area(0, i) * turned[0] + area(1, i) * turned[1] + area(2, i) * turned[2]);
+    return result;
+  }
+
+  /**
    * The second Piola-Kirchhoff stress S = F^-1 P of a first one, P, in Pa.
    */
   template <typename Number>

@@ -62,9 +62,14 @@ namespace Cautery
     /** What the kernel needs, but for the nodes' `values` and `forces` (and `hourglass`). */
     CellSweep<Number> sweep(const SweepMaterial &material) const;
 
-    /** The first cell, in the order of the mesh, that is inverted (J <= 0) at a point for these @p values
-     * (node records): slow, for the message. */
-    std::optional<std::size_t> inverted_cell(const Number *values) const;
+    struct Inverted
+    {
+      std::size_t cell; ///< in the order of the mesh
+      double      jacobian;
+    };
+    /** The cell with the least J, if any is inverted (J <= 0) at a point for these @p values (node records);
+     * slow, for the message. */
+    std::optional<Inverted> inverted_cell(const Number *values) const;
 
   private:
     void
@@ -79,6 +84,16 @@ namespace Cautery
     AlignedVector<Number>        constants;
     std::vector<std::size_t>     cell_of_lane; ///< in the mesh
   };
+
+  /** The places of the corners of a cell, m. */
+  template <int corners>
+  std::array<Point<3>, corners> corner_places(const CellMesh<corners> &mesh, const std::size_t cell)
+  {
+    std::array<Point<3>, corners> result;
+    for (int corner = 0; corner < corners; ++corner)
+      result[corner] = mesh.nodes[mesh.cells[cell][corner]];
+    return result;
+  }
 
   /** The volume that each node stands for, m3, the integral of its shape function: density times this is the
    * lumped mass. */

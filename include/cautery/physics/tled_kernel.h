@@ -49,11 +49,19 @@ namespace Cautery
       neo_hookean
     };
 
-    Law         law        = Law::neo_hookean;
-    StretchForm stretch    = StretchForm::none;
-    std::size_t n_fibres   = 0;     ///< families, with neo_hookean only
-    bool        conduction = false; ///< in the reference body, k grad T
-    bool        hexahedra  = false; ///< else tetrahedra
+    enum class Conduction
+    {
+      none,
+      reference, ///< Fourier's law in the reference body: the flux is k grad T (but for its sign)
+      deformed   ///< in the deformed body: k J C^-1 grad T
+    };
+
+    Law         law               = Law::neo_hookean;
+    StretchForm stretch           = StretchForm::none;
+    std::size_t n_fibres          = 0; ///< families, with neo_hookean only
+    Conduction  conduction        = Conduction::none;
+    bool        hexahedra         = false; ///< else tetrahedra
+    bool        averaged_pressure = false; ///< of the nodes, see NodePressures; tetrahedra, neo_hookean only
   };
 
   /**
@@ -95,6 +103,33 @@ namespace Cautery
     int                  n_points  = 1;       ///< 1, or for hexahedra also 8
     double               hourglass = 0.;      ///< dimensionless, hexahedra with one point
     SweepMaterial        material;
+    Number              *volume_changes = nullptr; ///< of nodes, the sweep of volumes adds to them
+    const Number        *pressures      = nullptr; ///< of nodes, for averaged pressure
+  };
+
+  /**
+   * Averaged nodal pressure, against the locking of tetrahedra that hardly change their volume (Bonet and
+   * Burton 1998, Commun. Numer. Meth. Engng 14, 437-449): lambda/2 (ln J)^2 is not the cells' but the nodes',
+   * with J the mean over the cells around.
+   *
+   * A node stands for V = sum V_e / 4 over the cells around it, V s^3 when it is hot and free of stress, with
+   * s its thermal stretch. The sweep of volumes gives it volume_change = sum (v_e - V_e s_e^3) / 4, v_e being
+   * the cell's volume in the deformed body, so that J = 1 + volume_change / (V s^3). The strain energy
+   * sum V s^3 lambda/2 (ln J)^2 then has its slope in the cells' mean of p = lambda ln(J) / J, which turns
+   * into forces as any pressure. In homogeneous deformation and heat all is as without averaging.
+   *
+   * The step: p from volume_change, and volume_change = 0.
+   */
+  template <typename Number>
+  struct NodePressures
+  {
+    std::size_t   n_nodes = 0;
+    const Number *values  = nullptr; ///< node records
+    const Number *volumes = nullptr; ///< V, m3, see lumped_volumes; may be 0 at nodes of other materials
+    Number       *volume_changes = nullptr; ///< m3
+    Number       *pressures      = nullptr; ///< Pa; all arrays on a boundary of 64 bytes
+    StretchForm   stretch        = StretchForm::none;
+    SweepMaterial material;
   };
 
   /**
@@ -126,13 +161,17 @@ namespace Cautery
   template <typename Number>
   struct TledKernel
   {
-    /// Adds the forces of all groups. False if a cell is inverted (J <= 0) or its J is no number.
-    using Sweep = bool (*)(const CellSweep<Number> &);
-    using Step  = void (*)(const NodeStep<Number> &);
+    /// Adds what it computes of all groups. False if a cell is inverted (J <= 0) or its J is no number, which
+    /// small_strain and none see with deformed conduction only.
+    using Sweep    = bool (*)(const CellSweep<Number> &);
+    using Step     = void (*)(const NodeStep<Number> &);
+    using Pressure = void (*)(const NodePressures<Number> &);
 
-    unsigned int lanes                 = 1;
-    Step         step                  = nullptr;
-    Sweep (*find)(const SweepChoice &) = nullptr; ///< never null for a choice that SweepChoice allows
+    unsigned int lanes                         = 1;
+    Step         step                          = nullptr;
+    Pressure     pressure                      = nullptr;
+    Sweep (*find)(const SweepChoice &)         = nullptr; ///< forces; null for what SweepChoice rules out
+    Sweep (*find_volumes)(const SweepChoice &) = nullptr; ///< volume_changes, for averaged_pressure
   };
 
   template <typename Number>

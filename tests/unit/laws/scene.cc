@@ -44,7 +44,9 @@ end
       expect("effects that are on", join(scene.effects.on()), "heat: Fourier, heat sources");
       expect("effects that are off",
              join(scene.effects.off()),
-             "perfusion, perfusion stops in dead tissue, metabolism, deformation, coupling, gravity, "
+             "conduction in the deformed body, perfusion, perfusion stops in dead tissue, metabolism, "
+             "deformation, "
+             "coupling, gravity, "
              "temperature-dependent properties, damage");
     }
 

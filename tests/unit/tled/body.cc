@@ -63,24 +63,71 @@ namespace Cautery::Test
           work(point, h, heating);
         }
     }
+
+    Tensor<2, 3> tensor(const Matrix3<double> &m)
+    {
+      Tensor<2, 3> result;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          result[i][j] = m(i, j);
+      return result;
+    }
+
+    /** What a node stands for: volumes of its share of the cells, m3. */
+    struct NodeShare
+    {
+      double stress_free = 0.; ///< and as hot as the node
+      double elastic     = 0.; ///< what elasticity adds to it
+      double ratio() const { return 1. + elastic / stress_free; }
+    };
+
+    std::vector<NodeShare> node_shares(const Body &body, const Records &values)
+    {
+      std::vector<NodeShare> shares(body.nodes.size());
+      for_each_point(body, values, [&](const CellPoint &point, const auto &h, const double heating) {
+        const double volume =
+          determinant(tensor(h) + unit_symmetric_tensor<3>()) - std::pow(thermal_stretch(body, heating), 3);
+        for (const std::uint32_t node : point.nodes)
+          {
+            const double stretch = thermal_stretch(body, values[4 * node + 3]);
+            shares[node].stress_free += point.volume / 4. * std::pow(stretch, 3);
+            shares[node].elastic += point.volume / 4. * volume;
+          }
+      });
+      return shares;
+    }
   } // namespace
 
   std::vector<Case> cases()
   {
-    using Law                = SweepChoice::Law;
-    std::vector<Case> result = {{"conduction", {Law::none, StretchForm::none, 0, true}}};
+    using Law                                                         = SweepChoice::Law;
+    using Conduction                                                  = SweepChoice::Conduction;
+    const std::vector<std::pair<std::string, Conduction>> conductions = {
+      {"", Conduction::none},
+      {", conduction", Conduction::reference},
+      {", conduction in the deformed body", Conduction::deformed}};
+    std::vector<Case> result = {
+      {"conduction", {Law::none, StretchForm::none, 0, Conduction::reference}},
+      {"conduction in the deformed body", {Law::none, StretchForm::none, 0, Conduction::deformed}}};
     const std::vector<std::pair<std::string, StretchForm>> forms = {
       {"", StretchForm::none}, {", linearised", StretchForm::linearised}, {", exact", StretchForm::exact}};
     for (const auto &form : forms)
-      for (const bool conduction : {false, true})
+      for (const auto &conduction : conductions)
         {
-          const std::string heat = form.first + (conduction ? ", conduction" : "");
-          result.push_back({"linear" + heat, {Law::small_strain, form.second, 0, conduction}});
+          const std::string heat = form.first + conduction.first;
+          result.push_back({"linear" + heat, {Law::small_strain, form.second, 0, conduction.second}});
           for (const unsigned int n_fibres : {0, 1, 2, 3})
             result.push_back({"neo-Hookean, " + std::to_string(n_fibres) + " fibres" + heat,
-                              {Law::neo_hookean, form.second, n_fibres, conduction}});
+                              {Law::neo_hookean, form.second, n_fibres, conduction.second}});
         }
     const std::vector<Case> tetrahedra = result;
+    for (Case item : tetrahedra)
+      if (item.choice.law == Law::neo_hookean)
+        {
+          item.name += ", averaged pressure";
+          item.choice.averaged_pressure = true;
+          result.push_back(item);
+        }
     for (const int n_points : {1, 8})
       for (Case item : tetrahedra)
         {
@@ -189,22 +236,32 @@ namespace Cautery::Test
 
   Records scalar_forces(const Body &body, const Records &values)
   {
-    Records forces(values.size(), 0.);
+    Records          forces(values.size(), 0.);
+    const auto       shares = node_shares(body, values);
+    const ElasticLaw law    = body.cell_law();
     for_each_point(body, values, [&](const CellPoint &point, const auto &h, const double heating) {
-      Matrix3<double> stress = {};
+      Tensor<2, 3>       stress;
+      const Tensor<2, 3> f = tensor(h) + unit_symmetric_tensor<3>();
       if (body.choice.law != SweepChoice::Law::none)
-        stress = body.law.stress(h, body.directions, expansion * heating);
-      Vector3<double> slope = {};
-      if (body.choice.conduction)
-        for (unsigned int a = 0; a < point.nodes.size(); ++a)
-          for (int j = 0; j < 3; ++j)
-            slope[j] += point.gradients[a][j] * values[4 * point.nodes[a] + 3];
+        stress = tensor(law.stress(h, body.directions, expansion * heating));
+      if (body.choice.averaged_pressure)
+        for (const std::uint32_t node : point.nodes)
+          {
+            const double ratio = shares[node].ratio();
+            stress += body.lambda * std::log(ratio) / ratio / 4. * determinant(f) * transpose(invert(f));
+          }
+      Tensor<1, 3> slope;
+      for (unsigned int a = 0; a < point.nodes.size(); ++a)
+        for (int j = 0; j < 3; ++j)
+          slope[j] += point.gradients[a][j] * values[4 * point.nodes[a] + 3];
+      const Tensor<1, 3> flux = conductivity_tensor(body, f) * slope;
       for (unsigned int a = 0; a < point.nodes.size(); ++a)
         {
-          const Vector3<double> force = stress * point.gradients[a];
+          const auto        &g = point.gradients[a].entries;
+          const Tensor<1, 3> gradient({g[0], g[1], g[2]}), force = stress * gradient;
           for (int c = 0; c < 3; ++c)
             forces[4 * point.nodes[a] + c] += point.volume * force[c];
-          forces[4 * point.nodes[a] + 3] += point.volume * conductivity * dot(slope, point.gradients[a]);
+          forces[4 * point.nodes[a] + 3] += point.volume * (flux * gradient);
         }
     });
     return forces;
@@ -212,18 +269,46 @@ namespace Cautery::Test
 
   double energy(const Body &body, const Records &values)
   {
-    double sum = 0.;
+    double           sum = 0.;
+    const ElasticLaw law = body.cell_law();
     for_each_point(body, values, [&](const CellPoint &point, const auto &h, const double heating) {
-      sum += point.volume * body.law.energy(h, body.directions, expansion * heating);
+      sum += point.volume * law.energy(h, body.directions, expansion * heating);
     });
+    if (body.choice.averaged_pressure)
+      for (const NodeShare &share : node_shares(body, values))
+        sum += share.stress_free * body.lambda / 2. * std::pow(std::log(share.ratio()), 2);
     return sum;
+  }
+
+  double thermal_stretch(const Body &body, const double heating)
+  {
+    switch (body.choice.stretch)
+      {
+      case StretchForm::linearised:
+        return 1. + expansion * heating;
+      case StretchForm::exact:
+        return std::exp(expansion * heating);
+      default:
+        return 1.;
+      }
+  }
+
+  Tensor<2, 3> conductivity_tensor(const Body &body, const Tensor<2, 3> &f)
+  {
+    switch (body.choice.conduction)
+      {
+      case SweepChoice::Conduction::reference:
+        return conductivity * unit_symmetric_tensor<3>();
+      case SweepChoice::Conduction::deformed:
+        return conductivity * determinant(f) * invert(transpose(f) * f);
+      default:
+        return Tensor<2, 3>();
+      }
   }
 
   Tensor<2, 3> textbook_first_stress(const Body &body, const Tensor<2, 3> &f, const double heating)
   {
-    const double       s = body.choice.stretch == StretchForm::none       ? 1. :
-                           body.choice.stretch == StretchForm::linearised ? 1. + expansion * heating :
-                                                                            std::exp(expansion * heating);
+    const double       s = thermal_stretch(body, heating);
     const Tensor<2, 3> c = transpose(f) * f, identity = unit_symmetric_tensor<3>();
     const double       j      = determinant(f) / (s * s * s);
     Tensor<2, 3>       stress = s * s * s * (lambda * std::log(j) - mu) * invert(c) + s * mu * identity;
@@ -251,15 +336,34 @@ namespace Cautery::Test
              const double             hourglass,
              Records                 &forces)
     {
+      const std::size_t                n      = body.nodes.size();
       const TledKernel<Number>         kernel = tled_kernel<Number>(instruction_set);
       const TledCells<corners, Number> cells(mesh, kernel.lanes, body.n_points);
-      AlignedVector<Number>            x(values.size()), f(values.size());
+      AlignedVector<Number>            x(node_record * n), f(node_record * n), changes(n), pressures(n);
       std::copy(values.begin(), values.end(), x.begin());
       CellSweep<Number> sweep = cells.sweep(body.material());
       sweep.values            = x.data();
       sweep.forces            = f.data();
       sweep.hourglass         = hourglass;
-      const bool healthy      = kernel.find(body.choice)(sweep);
+      sweep.volume_changes    = changes.data();
+      sweep.pressures         = pressures.data();
+      bool found_healthy      = true;
+      if (body.choice.averaged_pressure)
+        {
+          const std::vector<double> lumped = lumped_volumes(mesh);
+          AlignedVector<Number>     volumes(n);
+          std::copy(lumped.begin(), lumped.end(), volumes.begin());
+          found_healthy = kernel.find_volumes(body.choice)(sweep);
+          kernel.pressure({n,
+                           x.data(),
+                           volumes.data(),
+                           changes.data(),
+                           pressures.data(),
+                           body.choice.stretch,
+                           sweep.material});
+        }
+      const bool healthy = kernel.find(body.choice)(sweep);
+      AssertThrow(healthy == found_healthy || !body.choice.averaged_pressure, ExcInternalError());
       forces.assign(f.begin(), f.end());
       return healthy;
     }

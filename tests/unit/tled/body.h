@@ -39,16 +39,26 @@ namespace Cautery::Test
   {
     SweepChoice            choice;
     int                    n_points;
+    double                 lambda = Test::lambda; ///< Pa
     std::vector<Point<3>>  nodes;
     TetrahedraMesh         tetrahedra; ///< one of the two has cells
     HexahedraMesh          hexahedra;
     std::vector<CellPoint> points;
     ElasticLaw::Directions directions; ///< of the fibres, the same in all cells
-    ElasticLaw             law;        ///< the same physics, for single points
+    ElasticLaw             law;        ///< the same physics, for single points (see cell_law)
 
     SweepMaterial material() const
     {
       return {lambda, mu, law.fibres.data(), law.fibres.size(), expansion, conductivity};
+    }
+
+    /** Without the pressure that is averaged. */
+    ElasticLaw cell_law() const
+    {
+      ElasticLaw result = law;
+      if (choice.averaged_pressure)
+        result.ground = NeoHookean{0., mu};
+      return result;
     }
   };
   Body make_body(const Case &item);
@@ -65,6 +75,10 @@ namespace Cautery::Test
   Records scalar_forces(const Body &body, const Records &values);
   /** The strain energy of the body, J. */
   double energy(const Body &body, const Records &values);
+  /** 1 + alpha (T - T_0), or its exponential, or 1. */
+  double thermal_stretch(const Body &body, const double heating);
+  /** k I in the reference body, k J C^-1 in the deformed one, W/(m K). */
+  Tensor<2, 3> conductivity_tensor(const Body &body, const Tensor<2, 3> &f);
   /** P = F S from Eq. 7-14 with the right J. */
   Tensor<2, 3> textbook_first_stress(const Body &body, const Tensor<2, 3> &f, const double heating);
 
