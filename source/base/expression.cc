@@ -104,6 +104,7 @@ namespace Cautery
     : source(Utilities::trim(text))
     , constant(plain_number(text))
     , uses_time(!constant && std::regex_search(text, std::regex("\\bt\\b")))
+    , uses_place(!constant && std::regex_search(text, std::regex("\\b[xyz]\\b")))
   {
     if (!constant)
       parser = compile<3>(source, "x,y,z,t", true);
@@ -135,6 +136,12 @@ namespace Cautery
   {
     return components[0].depends_on_time() || components[1].depends_on_time() ||
            components[2].depends_on_time();
+  }
+
+  bool VectorExpression::depends_on_place() const
+  {
+    return components[0].depends_on_place() || components[1].depends_on_place() ||
+           components[2].depends_on_place();
   }
 
   std::string VectorExpression::text() const

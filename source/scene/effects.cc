@@ -12,6 +12,10 @@ namespace Cautery
     const Choices<Effects::Jumps> jump_choices = {{"consistent", Effects::Jumps::consistent},
                                                   {"neglected", Effects::Jumps::neglected}};
 
+    const Choices<Effects::Conduction> conduction_choices = {
+      {"reference body", Effects::Conduction::reference_body},
+      {"deformed body", Effects::Conduction::deformed_body}};
+
     const Choices<Effects::Metabolism> metabolism_choices = {{"off", Effects::Metabolism::off},
                                                              {"constant", Effects::Metabolism::constant},
                                                              {"Q10", Effects::Metabolism::q10}};
@@ -19,7 +23,9 @@ namespace Cautery
     const Choices<Effects::Deformation> deformation_choices = {
       {"off", Effects::Deformation::off},
       {"equilibrium", Effects::Deformation::equilibrium},
-      {"inertia", Effects::Deformation::inertia}};
+      {"inertia", Effects::Deformation::inertia},
+      {"large equilibrium", Effects::Deformation::large_equilibrium},
+      {"explicit dynamics", Effects::Deformation::explicit_dynamics}};
 
     const Choices<Effects::Coupling> coupling_choices = {{"off", Effects::Coupling::off},
                                                          {"expansion", Effects::Coupling::expansion},
@@ -50,6 +56,8 @@ namespace Cautery
     Listing list(const Effects &e)
     {
       return {{"heat", chosen(e.heat, heat_choices)},
+              {"conduction in the deformed body",
+               chosen(e.has_heat() && e.conduction == Effects::Conduction::deformed_body)},
               {"heat sources", chosen(e.has_heat() && e.heat_sources)},
               {"perfusion", chosen(e.perfusion)},
               {"perfusion stops in dead tissue", chosen(e.perfusion_stops_in_dead_tissue)},
@@ -75,13 +83,23 @@ namespace Cautery
             jump_choices,
             "Non-Fourier: a switched source makes the rate of temperature jump, or this is neglected as in "
             "the thesis");
+    p.entry("Conduction in",
+            conduction,
+            conduction_choices,
+            "The body through whose length and section heat is conducted; deformed: with explicit heat and "
+            "dynamics");
     p.entry("Heat sources", heat_sources, "The section `Heat sources` counts");
     p.entry("Perfusion", perfusion, "Blood carries heat away");
     p.entry("Perfusion stops in dead tissue",
             perfusion_stops_in_dead_tissue,
             "Perfusion ends where damage reaches 1");
     p.entry("Metabolism", metabolism, metabolism_choices, "Metabolic heat");
-    p.entry("Deformation", deformation, deformation_choices, "Linear elastic deformation");
+    p.entry(
+      "Deformation",
+      deformation,
+      deformation_choices,
+      "Small: linear elastic, in equilibrium or with inertia; large: with each tissue's elastic law, in "
+      "equilibrium or by explicit dynamics");
     p.entry("Coupling",
             coupling,
             coupling_choices,

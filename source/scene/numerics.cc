@@ -55,7 +55,15 @@ namespace Cautery
             Bounds{1., 1e6, false, false});
     p.section("Heat solver", [&]() { heat_solver.parameters(p); });
     p.section("Deformation solver", [&]() { deformation_solver.parameters(p); });
+    p.entry(
+      "Large equilibrium",
+      large_equilibrium,
+      Choices<LargeEquilibrium>{{"Newton", LargeEquilibrium::newton},
+                                {"dynamic relaxation", LargeEquilibrium::relaxation}},
+      "How equilibrium in large deformation is found: with matrices, or by a damped motion without any");
     p.section("Newton", [&]() { newton.parameters(p); });
+    p.section("Relaxation", [&]() { relaxation.parameters(p); });
+    p.section("Explicit", [&]() { explicit_steps.parameters(p); });
   }
 
   void TimeSettings::parameters(Parameters &p)
@@ -63,10 +71,17 @@ namespace Cautery
     p.entry("End", end, "s", "Duration of the run", Bounds::positive());
     p.entry("Integrator",
             integrator,
-            Choices<Integrator>{{"backward Euler", Integrator::backward_euler}, {"IDA", Integrator::ida}},
-            "Fixed steps, or SUNDIALS IDA with variable order and step");
-    p.entry(
-      "Step", step, "s", "Step of backward Euler; shortened to meet an output time", Bounds::positive());
+            Choices<Integrator>{{"backward Euler", Integrator::backward_euler},
+                                {"IDA", Integrator::ida},
+                                {"explicit", Integrator::explicit_steps}},
+            "Of heat: fixed steps, SUNDIALS IDA with variable order and step, or explicit steps without any "
+            "matrix");
+    p.entry("Step",
+            step,
+            "s",
+            "Step of backward Euler, and of what looks at the state: damage, the balance of heat, a source's "
+            "schedule; explicit steps divide it; shortened to meet an output time",
+            Bounds::positive());
     p.entry(
       "Relative tolerance", relative_tolerance, "", "Of IDA's local error", Bounds::between_open(0., 1.));
     p.entry("Absolute tolerance", absolute_tolerance, "K", "Of IDA's local error", Bounds::positive());

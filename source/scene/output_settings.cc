@@ -37,6 +37,11 @@ namespace Cautery
       "Interval", interval, "s", "Time between outputs; 0: only `Times` and the end", Bounds::non_negative());
     p.entry("Times", times, "s", "Further output times", Bounds::positive());
     p.entry("Fields", fields, "Write solution.pvd with its .vtu files at the output times");
+    p.entry(
+      "Stress",
+      stress,
+      Choices<Stress>{{"Cauchy", Stress::cauchy}, {"second Piola-Kirchhoff", Stress::second_piola_kirchhoff}},
+      "Which stress is written, in large deformation: force per deformed area, or S of the undeformed body");
     p.entry("Probe names", probe_names, "Names of the probes");
     p.entry("Probe places", probe_places, "m", "Places of the probes, x, y, z; separated by semicolons");
     p.entry("Ablation centre", ablation_centre, "m", "Point from which the ablation radius is measured");

@@ -21,6 +21,12 @@ namespace Cautery
       "6-24)");
   }
 
+  bool Scene::has_explicit_loop() const
+  {
+    return effects.deformation == Effects::Deformation::explicit_dynamics ||
+           time.integrator == TimeSettings::Integrator::explicit_steps;
+  }
+
   bool Scene::thermal_properties_change() const
   {
     return std::any_of(
@@ -100,6 +106,8 @@ namespace Cautery
         p.entry("Gravity", scene.loads.gravity, "m/s2", "Acceleration, for the effect Gravity");
       });
       named_sections(p, "Loads", "Names of the point loads, each with a subsection", scene.loads.points);
+      named_sections(
+        p, "Tools", "Names of the tools that hold the body, each with a subsection", scene.tools);
       p.section("Time", [&]() { scene.time.parameters(p); });
       p.section("Numerics", [&]() { scene.numerics.parameters(p); });
       p.section("Damage", [&]() { scene.damage.parameters(p); });
@@ -141,6 +149,9 @@ namespace Cautery
           const std::string preset = text.peek({"Tissues", name}, "Preset", tissue_presets().front());
           scene.tissues.push_back(made_from("Tissues/" + name + "/Preset", preset, make_tissue));
           scene.tissues.back().name = name;
+          scene.tissues.back().fibre_names =
+            Utilities::split_string_list(text.peek({"Tissues", name}, "Fibre families", ""));
+          scene.tissues.back().fibres.resize(scene.tissues.back().fibre_names.size());
         }
       for (const auto &name : text.peek_names("Heat sources", ""))
         {
@@ -150,6 +161,7 @@ namespace Cautery
         }
       scene.boundaries   = named<Boundary>(text.peek_names("Boundaries", "outside"));
       scene.loads.points = named<PointLoad>(text.peek_names("Loads", ""));
+      scene.tools        = named<Tool>(text.peek_names("Tools", ""));
       return scene;
     }
 
@@ -160,7 +172,7 @@ namespace Cautery
 
     void check_boundaries(const Scene &scene)
     {
-      bool held = false;
+      bool held = !scene.tools.empty();
       for (const auto &boundary : scene.boundaries)
         {
           const std::string path = "Boundaries/" + boundary.name;
@@ -236,6 +248,33 @@ namespace Cautery
                 "; take a larger interval");
     }
 
+    void check_explicit(const Scene &scene)
+    {
+      require(
+        scene.effects.conduction == Effects::Conduction::reference_body ||
+          (scene.effects.deformation == Effects::Deformation::explicit_dynamics &&
+           scene.time.integrator == TimeSettings::Integrator::explicit_steps),
+        "Effects/Conduction in = deformed body needs Deformation = explicit dynamics and Time/Integrator = "
+        "explicit; choose these, or reference body");
+      const bool relaxes = scene.effects.deformation == Effects::Deformation::large_equilibrium &&
+                           scene.numerics.large_equilibrium == Numerics::LargeEquilibrium::relaxation;
+      if (!scene.has_explicit_loop() && !relaxes)
+        return;
+      const bool motion = scene.effects.deformation == Effects::Deformation::explicit_dynamics;
+      require(
+        motion || !scene.effects.has_deformation() ||
+          scene.time.integrator != TimeSettings::Integrator::explicit_steps,
+        "Time/Integrator = explicit goes with Effects/Deformation = explicit dynamics or off; choose one of "
+        "these, or backward Euler");
+      const std::string name = motion  ? "Effects/Deformation = explicit dynamics" :
+                               relaxes ? "Numerics/Large equilibrium = dynamic relaxation" :
+                                         "Time/Integrator = explicit";
+      require(scene.dimension == 3, name + " is for three dimensions only; set Dimension = 3");
+      require(scene.numerics.degree == 1, name + " is for Numerics/Element degree = 1 only");
+      require(scene.effects.coupling != Effects::Coupling::two_way,
+              name + " does not know Effects/Coupling = two-way; choose expansion");
+    }
+
     /// What points out of the plane would be lost in silence.
     void check_in_plane(const Scene &scene)
     {
@@ -249,6 +288,8 @@ namespace Cautery
         require_zero(Expression(scene.loads.gravity[2]), "Loads/Gravity");
       for (const auto &load : scene.loads.points)
         require_zero(load.force[2], "Loads/" + load.name + "/Force");
+      for (const auto &tool : scene.tools)
+        require_zero(tool.displacement[2], "Tools/" + tool.name + "/Displacement");
       for (const auto &boundary : scene.boundaries)
         {
           require_zero(boundary.traction[2], "Boundaries/" + boundary.name + "/Traction");
@@ -266,6 +307,7 @@ namespace Cautery
       check_boundaries(scene);
       check_properties(scene);
       check_numerics(scene);
+      check_explicit(scene);
       check_in_plane(scene);
       for (const double time : scene.output.times)
         require(time <= scene.time.end,
@@ -332,6 +374,7 @@ namespace Cautery
       scene.heat_sources.push_back({type, Schedule(), make_heat_source(type)});
     scene.boundaries   = named<Boundary>({"outside"});
     scene.loads.points = named<PointLoad>({"pull"});
+    scene.tools        = named<Tool>({"forceps"});
 
     ParameterHandler handler;
     Parameters       declaring(handler, Parameters::Mode::declare);

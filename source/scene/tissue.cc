@@ -60,6 +60,14 @@ namespace Cautery
     perfusion.parameters(p);
     metabolism.parameters(p);
     elastic.parameters(p);
+    p.entry("Elastic law",
+            elastic_law,
+            Choices<ElasticLawChoice>{{"linear", ElasticLawChoice::linear},
+                                      {"neo-Hookean", ElasticLawChoice::neo_hookean}},
+            "Law");
+    p.entry("Fibre families", fibre_names, "Names");
+    for (unsigned int f = 0; f < fibres.size(); ++f)
+      p.section(fibre_names[f], [&]() { fibres[f].parameters(p); });
     expansion.parameters(p);
     p.section("Arrhenius damage", [&]() { arrhenius.parameters(p); });
     p.section("CEM43 damage", [&]() { cem43.parameters(p); });

@@ -35,13 +35,16 @@ namespace Cautery
 
     bool is_constant() const { return constant.has_value(); }
     /** Does the value change in time? Found by looking for the variable t in the parsed expression. */
-    bool               depends_on_time() const { return uses_time; }
+    bool depends_on_time() const { return uses_time; }
+    /** The same for x, y and z. */
+    bool               depends_on_place() const { return uses_place; }
     const std::string &text() const { return source; }
 
   private:
     std::string                        source;
     std::optional<double>              constant;
-    bool                               uses_time = false;
+    bool                               uses_time  = false;
+    bool                               uses_place = false;
     std::shared_ptr<FunctionParser<3>> parser;
   };
 
@@ -56,6 +59,7 @@ namespace Cautery
 
     Tensor<1, 3>      value(const Point<3> &place, const double time) const;
     bool              depends_on_time() const;
+    bool              depends_on_place() const;
     const Expression &operator[](const unsigned int c) const { return components[c]; }
     std::string       text() const;
 

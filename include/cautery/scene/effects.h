@@ -25,6 +25,11 @@ namespace Cautery
       consistent, ///< a source that is switched makes dT/dt jump by Q/(rho C)
       neglected   ///< the thesis's: only the smooth part of dQ/dt
     };
+    enum class Conduction
+    {
+      reference_body,
+      deformed_body ///< Fourier's law holds where the tissue has moved to
+    };
     enum class Metabolism
     {
       off,
@@ -35,7 +40,9 @@ namespace Cautery
     {
       off,
       equilibrium,
-      inertia ///< thesis Eq. 4-25
+      inertia, ///< thesis Eq. 4-25
+      large_equilibrium,
+      explicit_dynamics ///< large, thesis 7.3.2
     };
     enum class Coupling
     {
@@ -55,6 +62,7 @@ namespace Cautery
 
     Heat        heat                             = Heat::fourier;
     Jumps       source_jumps                     = Jumps::consistent;
+    Conduction  conduction                       = Conduction::reference_body;
     bool        perfusion                        = false;
     bool        perfusion_stops_in_dead_tissue   = false;
     Metabolism  metabolism                       = Metabolism::off;
@@ -67,6 +75,10 @@ namespace Cautery
 
     bool has_heat() const { return heat != Heat::off; }
     bool has_deformation() const { return deformation != Deformation::off; }
+    bool has_large_deformation() const
+    {
+      return deformation == Deformation::large_equilibrium || deformation == Deformation::explicit_dynamics;
+    }
     bool has_damage() const { return damage != Damage::off; }
     bool damage_needs_strain_energy() const
     {

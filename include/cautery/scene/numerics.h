@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cautery/base/parameters.h>
+#include <cautery/scene/explicit_settings.h>
 #include <cautery/scene/newton_settings.h>
+#include <cautery/scene/relaxation_settings.h>
 
 namespace Cautery
 {
@@ -38,6 +40,11 @@ namespace Cautery
       consistent,
       lumped
     };
+    enum class LargeEquilibrium
+    {
+      newton,
+      relaxation
+    };
     enum class DisplacementAt
     {
       automatic,
@@ -52,7 +59,10 @@ namespace Cautery
     unsigned int         max_iterations      = 50;
     LinearSolverSettings heat_solver;
     LinearSolverSettings deformation_solver;
+    LargeEquilibrium     large_equilibrium = LargeEquilibrium::newton;
     NewtonSettings       newton;
+    RelaxationSettings   relaxation;
+    ExplicitSettings     explicit_steps;
 
     void parameters(Parameters &p);
   };
@@ -65,7 +75,8 @@ namespace Cautery
     enum class Integrator
     {
       backward_euler,
-      ida
+      ida,
+      explicit_steps ///< of its own stable length within each step
     };
 
     double       end                = 120.; ///< s

@@ -22,6 +22,12 @@ namespace Cautery
    */
   struct OutputSettings
   {
+    enum class Stress
+    {
+      cauchy,
+      second_piola_kirchhoff
+    };
+
     std::string              directory;       ///< empty: "output/" and the scene's name
     std::vector<double>      times;           ///< s, besides the interval's
     double                   interval = 0.;   ///< s; 0: only `times` and the end
@@ -29,7 +35,8 @@ namespace Cautery
     std::vector<std::string> probe_names;
     std::vector<Point<3>>    probe_places; ///< m
     Point<3>                 ablation_centre;
-    bool                     every_step = false; ///< a line per step in the log
+    Stress                   stress     = Stress::cauchy; ///< in large deformation
+    bool                     every_step = false;          ///< a line per step in the log
 
     /** All output times in (0, end], rising, with the end (s). */
     std::vector<double> output_times(const double end) const;

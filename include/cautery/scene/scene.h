@@ -8,6 +8,7 @@
 #include <cautery/scene/numerics.h>
 #include <cautery/scene/output_settings.h>
 #include <cautery/scene/tissue.h>
+#include <cautery/scene/tool.h>
 
 #include <string>
 #include <vector>
@@ -43,12 +44,16 @@ namespace Cautery
     std::vector<HeatSource> heat_sources;
     std::vector<Boundary>   boundaries;
     Loads                   loads;
+    std::vector<Tool>       tools;
     TimeSettings            time;
     Numerics                numerics;
     DamageSettings          damage;
     OutputSettings          output;
 
     std::string complete_text; ///< all entries with their values, ready to be run again
+
+    /** Are motion or heat advanced by explicit steps? */
+    bool has_explicit_loop() const;
 
     /** Must the linear operators be assembled anew while time goes on? */
     bool thermal_properties_change() const;

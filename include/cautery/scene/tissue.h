@@ -3,6 +3,7 @@
 
 #include <cautery/laws/blood.h>
 #include <cautery/laws/damage.h>
+#include <cautery/laws/fibre_family.h>
 #include <cautery/laws/linear_elastic.h>
 #include <cautery/laws/thermal_expansion.h>
 #include <cautery/laws/tissue_properties.h>
@@ -17,7 +18,15 @@ namespace Cautery
    */
   struct Tissue
   {
+    enum class ElasticLawChoice
+    {
+      linear,
+      neo_hookean
+    };
     std::string              name;
+    ElasticLawChoice         elastic_law = ElasticLawChoice::neo_hookean;
+    std::vector<std::string> fibre_names;
+    std::vector<FibreFamily> fibres;
     std::vector<std::string> regions = {"all"}; ///< physical groups, by number or name
     ThermalProperties        thermal;
     Perfusion                perfusion;
