@@ -20,13 +20,13 @@ namespace Cautery
     , properties_change(scene.effects.coupling != Effects::Coupling::off && scene.elastic_properties_change())
     , keeps_rate(has_inertia || (scene.effects.coupling == Effects::Coupling::two_way &&
                                  scene.effects.heat == Effects::Heat::non_fourier))
-    , supports(displacement, boundaries)
+    , supports(scene, displacement, boundaries)
     , outer_load(scene, displacement, nodes, tissues, boundaries, locator)
   {
     nothing_fixed.reinit(displacement.relevant());
     nothing_fixed.close();
     if (!has_inertia)
-      supports.check_held(scene.boundaries);
+      supports.check_held(scene);
     // in equilibrium, a body that nothing moves needs no products with prescribed values
     needs_full = has_inertia || scene.effects.coupling == Effects::Coupling::two_way || supports.move();
     initialize_matrices();

@@ -8,14 +8,10 @@
 
 namespace Cautery
 {
-  namespace
+  const Expression *prescribed_temperature(const Boundary &boundary, const unsigned int)
   {
-    const Expression *prescribed_temperature(const Boundary &boundary, const unsigned int)
-    {
-      return boundary.thermal == Boundary::Thermal::temperature ? &boundary.temperature : nullptr;
-    }
-
-  } // namespace
+    return boundary.thermal == Boundary::Thermal::temperature ? &boundary.temperature : nullptr;
+  }
 
   template <int dim>
   Heat<dim>::Heat(const Scene             &scene,

@@ -76,10 +76,10 @@ namespace Cautery
     , expands(scene.effects.coupling != Effects::Coupling::off)
     , quadrature(rule(nodes))
     , elasticities(all_elasticities(tissues, expands))
-    , held(displacement, boundaries)
+    , held(scene, displacement, boundaries)
     , outer_load(scene, displacement, nodes, tissues, boundaries, locator)
   {
-    held.check_held(scene.boundaries);
+    held.check_held(scene);
     displacement.initialize_matrix(tangent, displacement, &held.constraints());
   }
 
@@ -90,7 +90,7 @@ namespace Cautery
     outer_load.at(state.time, result.force);
     held.prescribe(state.time, result.prescribed);
     if (expands)
-      result.temperature = nodes.ghosted(state.temperature);
+      result.temperature = state.temperature;
     return result;
   }
 
@@ -99,7 +99,7 @@ namespace Cautery
   {
     Loading result{displacement.vector(), displacement.vector(), Vector(), 0.};
     if (expands)
-      result.temperature = nodes.ghosted(state.temperature);
+      result.temperature = state.temperature;
     return result;
   }
 
@@ -119,8 +119,9 @@ namespace Cautery
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<double>                  temperatures(quadrature.size());
     std::vector<MaterialPoint>           points(quadrature.size());
-    const Vector                         ghosted   = displacement.ghosted(x);
-    const bool                           at_centre = nodes.element().degree == 1;
+    const Vector                         ghosted = displacement.ghosted(x);
+    const Vector temperature_field               = expands ? nodes.ghosted(loading.temperature) : Vector();
+    const bool   at_centre                       = nodes.element().degree == 1;
 
     auto node_cell = nodes.dof_handler().begin_active();
     for (const auto &cell : displacement.dof_handler().active_cell_iterators())
@@ -131,7 +132,7 @@ namespace Cautery
             values.reinit(node_cell);
             cell->get_dof_indices(dofs);
             if (expands)
-              values.get_function_values(loading.temperature, temperatures);
+              values.get_function_values(temperature_field, temperatures);
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 Tensor<2, dim> gradient;
@@ -186,25 +187,7 @@ namespace Cautery
     inner_force_norm = residual.l2_norm();
     residual -= loading.force;
     held.elimination().condense(residual);
-    return worst(inverted);
-  }
-
-  template <int dim>
-  std::optional<InvertedCell> LargeElasticity<dim>::worst(const std::optional<InvertedCell> &own) const
-  {
-    const MPI_Comm communicator = nodes.communicator();
-    const double   none         = std::numeric_limits<double>::infinity();
-    // a J that is not a number is as bad as can be
-    const double mine  = !own ? none : std::isnan(own->jacobian) ? -none : own->jacobian;
-    const double least = Utilities::MPI::min(mine, communicator);
-    if (least == none)
-      return {};
-    const CellNumber last = std::numeric_limits<CellNumber>::max();
-    const CellNumber cell = Utilities::MPI::min(own && mine == least ? own->cell : last, communicator);
-    InvertedCell     result{cell, Point<3>(), least};
-    for (unsigned int d = 0; d < 3; ++d)
-      result.place[d] = Utilities::MPI::min(own && own->cell == cell ? own->place[d] : none, communicator);
-    return result;
+    return worst_of_all(inverted, nodes.communicator());
   }
 
   template <int dim>

@@ -65,31 +65,35 @@ namespace Cautery
     PointMechanics<dim> large_deformation(ElasticLaw                    law,
                                           const Matrix3<double>        &gradient,
                                           const ElasticLaw::Directions &directions,
-                                          const double                  thermal_strain)
+                                          const double                  thermal_strain,
+                                          const OutputSettings::Stress  measure)
     {
       const Deformation<double> deformation(gradient);
       const Matrix3<double>     strain = green_strain(gradient);
       const Matrix3<double>     first  = law.stress(gradient, directions, thermal_strain);
+      const Matrix3<double>     hot    = second_piola_kirchhoff_stress(deformation, first);
       law.stretch                      = StretchForm::none;
       const Matrix3<double> cold       = law.stress(gradient, directions, 0.);
-      return {in_plane<dim>(strain),
-              in_plane<dim>(cauchy_stress(deformation, first)),
-              0.5 * double_dot(second_piola_kirchhoff_stress(deformation, cold), strain),
-              0.5 * double_dot(second_piola_kirchhoff_stress(deformation, first), strain)};
+      return {
+        in_plane<dim>(strain),
+        in_plane<dim>(measure == OutputSettings::Stress::cauchy ? cauchy_stress(deformation, first) : hot),
+        0.5 * double_dot(second_piola_kirchhoff_stress(deformation, cold), strain),
+        0.5 * double_dot(hot, strain)};
     }
   } // namespace
 
   template <int dim>
-  MechanicalRecovery<dim>::MechanicalRecovery(const Effects             &effects,
+  MechanicalRecovery<dim>::MechanicalRecovery(const Scene               &scene,
                                               const NodalGradients<dim> &gradients,
                                               const Field<dim>          &displacement,
                                               const TissueMap<dim>      &tissues)
-    : expands(effects.coupling != Effects::Coupling::off)
+    : expands(scene.effects.coupling != Effects::Coupling::off)
+    , measure(scene.output.stress)
     , gradients(gradients)
     , displacement(displacement)
     , tissues(tissues)
   {
-    if (!effects.has_large_deformation())
+    if (!scene.effects.has_large_deformation())
       return;
     for (unsigned int t = 0; t < tissues.size(); ++t)
       elasticities.emplace_back(tissues.tissue(t), expands);
@@ -112,7 +116,8 @@ namespace Cautery
     return large_deformation<dim>(elasticities[piece.tissue].law(temperature),
                                   in_space(gradient),
                                   directions[p],
-                                  elasticities[piece.tissue].thermal_strain(temperature));
+                                  elasticities[piece.tissue].thermal_strain(temperature),
+                                  measure);
   }
 
   template <int dim>

@@ -3,6 +3,8 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <map>
+
 namespace Cautery
 {
   namespace
@@ -24,103 +26,144 @@ namespace Cautery
                             const TissueMap<dim>    &tissues,
                             const BoundaryMap<dim>  &boundaries,
                             const PointLocator<dim> &locator)
-    : scene(scene)
-    , displacement(displacement)
-    , nodes(nodes)
-    , tissues(tissues)
-    , boundaries(boundaries)
-    , at_start(displacement.vector())
+    : displacement(displacement), constant(displacement.vector())
+  {
+    if (scene.effects.gravity)
+      add_gravity(scene.loads.gravity, nodes, tissues);
+    for (unsigned int b = 0; b < scene.boundaries.size(); ++b)
+      if (scene.boundaries[b].mechanical == Boundary::Mechanical::traction)
+        add_traction(scene.boundaries[b], boundaries.surfaces(b), nodes);
+    add_points(scene.loads.points, locator);
+    constant.compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  void OuterLoad<dim>::add_gravity(const Point<3>       &acceleration,
+                                   const Field<dim>     &nodes,
+                                   const TissueMap<dim> &tissues)
+  {
+    const auto   &fe = nodes.element();
+    FEValues<dim> values(nodes.mapping(), fe, nodes.cell_quadrature(), update_values | update_JxW_values);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : nodes.dof_handler().active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        values.reinit(cell);
+        cell->get_dof_indices(dofs);
+        const double density = tissues[cell->material_id()].thermal.density;
+        for (const unsigned int i : values.dof_indices())
+          {
+            double volume = 0.;
+            for (const unsigned int q : values.quadrature_point_indices())
+              volume += values.shape_value(i, q) * values.JxW(q);
+            for (unsigned int c = 0; c < dim; ++c)
+              constant(dim * dofs[i] + c) += density * volume * acceleration[c];
+          }
+      }
+  }
+
+  template <int dim>
+  void OuterLoad<dim>::add_traction(const Boundary                     &boundary,
+                                    const std::set<types::boundary_id> &surfaces,
+                                    const Field<dim>                   &nodes)
+  {
+    FEFaceValues<dim>                    values(nodes.mapping(),
+                             nodes.element(),
+                             nodes.face_quadrature(),
+                             update_values | update_quadrature_points | update_JxW_values);
+    std::vector<types::global_dof_index> dofs(nodes.element().n_dofs_per_cell());
+    Load                                 load{&boundary.traction, {}};
+    for (const auto &cell : nodes.dof_handler().active_cell_iterators())
+      {
+        if (!cell->is_locally_owned() || !cell->at_boundary())
+          continue;
+        cell->get_dof_indices(dofs);
+        for (const unsigned int face : cell->face_indices())
+          {
+            if (!cell->face(face)->at_boundary() || surfaces.count(cell->face(face)->boundary_id()) == 0)
+              continue;
+            values.reinit(cell, face);
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                Place place{in_space<dim>(values.quadrature_point(q)), {}};
+                for (const unsigned int i : nodes.on_face(face))
+                  place.weights.push_back({dim * dofs[i], values.shape_value(i, q) * values.JxW(q)});
+                load.places.push_back(std::move(place));
+              }
+          }
+      }
+    add(std::move(load));
+  }
+
+  template <int dim>
+  void OuterLoad<dim>::add_points(const std::vector<PointLoad> &loads, const PointLocator<dim> &locator)
   {
     std::vector<Point<dim>>  points;
     std::vector<std::string> names;
-    for (const auto &load : scene.loads.points)
+    for (const auto &load : loads)
       {
         points.push_back(in_plane<dim>(load.place));
         names.push_back("Loads/" + load.name + "/Place");
-        changes = changes || load.force.depends_on_time();
       }
-    places = locator.find_inside(points, names);
-    for (const auto &boundary : scene.boundaries)
-      changes = changes || boundary.traction.depends_on_time();
-    assemble(0., at_start);
-  }
-
-  template <int dim>
-  void OuterLoad<dim>::add_point_loads(const double time, Vector &force) const
-  {
-    const auto                          &fe = displacement.element();
+    const auto                           places = locator.find_inside(points, names);
+    const auto                          &fe     = displacement.element();
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (unsigned int p = 0; p < places.size(); ++p)
-      if (places[p])
-        {
-          const Tensor<1, 3> pull = scene.loads.points[p].force.value(scene.loads.points[p].place, time);
-          displacement.cell(places[p]->cell)->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            force(dofs[i]) +=
-              pull[fe.system_to_component_index(i).first] * fe.shape_value(i, places[p]->unit);
-        }
+      {
+        if (!places[p])
+          continue;
+        displacement.cell(places[p]->cell)->get_dof_indices(dofs);
+        Place place{loads[p].place, {}};
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (fe.system_to_component_index(i).first == 0)
+            place.weights.push_back({dofs[i], fe.shape_value(i, places[p]->unit)});
+        add({&loads[p].force, {std::move(place)}});
+      }
+  }
+
+  /** Makes one place of all, with each node once: that is the same where the density is. */
+  template <int dim>
+  void OuterLoad<dim>::gather(std::vector<Place> &places)
+  {
+    std::map<types::global_dof_index, double> sums;
+    for (const auto &place : places)
+      for (const auto &[unknown, weight] : place.weights)
+        sums[unknown] += weight;
+    places.resize(1);
+    places.front().weights.assign(sums.begin(), sums.end());
   }
 
   template <int dim>
-  void OuterLoad<dim>::assemble(const double time, Vector &force) const
+  void OuterLoad<dim>::add(Load load)
   {
-    const auto   &fe = displacement.element();
-    FEValues<dim> values(
-      nodes.mapping(), nodes.element(), nodes.cell_quadrature(), update_values | update_JxW_values);
-    FEFaceValues<dim>                    face_values(nodes.mapping(),
-                                  nodes.element(),
-                                  nodes.face_quadrature(),
-                                  update_values | update_quadrature_points | update_JxW_values);
-    dealii::Vector<double>               local(fe.n_dofs_per_cell());
-    std::vector<types::global_dof_index> dofs(local.size());
-    const auto add = [&](const auto &at, const unsigned int q, const Tensor<1, 3> &density) {
-      for (unsigned int i = 0; i < local.size(); ++i)
-        {
-          const auto [component, node] = fe.system_to_component_index(i);
-          local(i) += density[component] * at.shape_value(node, q) * at.JxW(q);
-        }
-    };
-
-    force          = 0.;
-    auto node_cell = nodes.dof_handler().begin_active();
-    for (const auto &cell : displacement.dof_handler().active_cell_iterators())
+    if (load.places.empty())
+      return;
+    if (load.density->depends_on_time())
       {
-        if (cell->is_locally_owned() && (scene.effects.gravity || cell->at_boundary()))
-          {
-            local = 0.;
-            if (scene.effects.gravity)
-              {
-                values.reinit(node_cell);
-                for (const unsigned int q : values.quadrature_point_indices())
-                  add(values,
-                      q,
-                      tissues[cell->material_id()].thermal.density * Tensor<1, 3>(scene.loads.gravity));
-              }
-            for (const unsigned int face : cell->face_indices())
-              if (cell->face(face)->at_boundary() &&
-                  boundaries[cell->face(face)->boundary_id()].mechanical == Boundary::Mechanical::traction)
-                {
-                  const auto &traction = boundaries[cell->face(face)->boundary_id()].traction;
-                  face_values.reinit(node_cell, face);
-                  for (const unsigned int q : face_values.quadrature_point_indices())
-                    add(face_values, q, traction.value(in_space<dim>(face_values.quadrature_point(q)), time));
-                }
-            cell->get_dof_indices(dofs);
-            force.add(dofs, local);
-          }
-        ++node_cell;
+        if (!load.density->depends_on_place())
+          gather(load.places);
+        changing.push_back(std::move(load));
+        return;
       }
-    add_point_loads(time, force);
-    force.compress(VectorOperation::add);
+    for (const auto &place : load.places)
+      {
+        const Tensor<1, 3> value = load.density->value(place.place, 0.);
+        for (const auto &[unknown, weight] : place.weights)
+          for (unsigned int c = 0; c < dim; ++c)
+            constant(unknown + c) += weight * value[c];
+      }
   }
 
   template <int dim>
   void OuterLoad<dim>::at(const double time, Vector &force) const
   {
-    if (changes)
-      assemble(time, force);
-    else
-      force = at_start;
+    force = constant;
+    for_each_changing(time, [&force](const types::global_dof_index unknown, const Tensor<1, 3> &value) {
+      for (unsigned int c = 0; c < dim; ++c)
+        force(unknown + c) += value[c];
+    });
+    force.compress(VectorOperation::add);
   }
 
   template class OuterLoad<2>;

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <set>
+
 namespace Cautery
 {
   template <int dim>
@@ -39,6 +41,34 @@ namespace Cautery
               }
           }
       }
+  }
+
+  template <int dim>
+  unsigned int Prescribed<dim>::add_within(const Point<3>         &centre,
+                                           const double            radius,
+                                           const VectorExpression &displacement)
+  {
+    const FiniteElement<dim>            &fe = field.element();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::set<types::global_dof_index>    own;
+    for (const auto &cell : field.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            const Point<3> place =
+              in_space<dim>(field.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i)));
+            if (place.distance(centre) > radius)
+              continue;
+            const auto component = fe.system_to_component_index(i).first;
+            values.insert({dofs[i], {numbers::invalid_unsigned_int, &displacement[component], place}});
+            if (component == 0 && field.owned().is_element(dofs[i]))
+              own.insert(dofs[i]);
+          }
+      }
+    return Utilities::MPI::sum(static_cast<unsigned int>(own.size()), field.communicator());
   }
 
   template <int dim>

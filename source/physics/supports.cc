@@ -19,9 +19,15 @@ namespace Cautery
   } // namespace
 
   template <int dim>
-  Supports<dim>::Supports(const Field<dim> &displacement, const BoundaryMap<dim> &boundaries)
+  Supports<dim>::Supports(const Scene            &scene,
+                          const Field<dim>       &displacement,
+                          const BoundaryMap<dim> &boundaries)
     : displacement(displacement), prescribed(displacement, boundaries, prescribed_displacement)
   {
+    for (const Tool &tool : scene.tools)
+      AssertThrow(prescribed.add_within(tool.centre, tool.radius, tool.displacement) > 0,
+                  ExcInput("Tools/" + tool.name + ": no node of the body lies within " +
+                           to_text(tool.radius) + " m of its Centre; move it, or take a larger Radius"));
     fixed.reinit(displacement.relevant());
     prescribed.constrain(fixed);
     constrain_rollers(displacement, boundaries, fixed);
@@ -31,9 +37,11 @@ namespace Cautery
 
   /// Of what holds a body, a fixed surface holds it altogether; rollers may leave it a shift or a turn.
   template <int dim>
-  void Supports<dim>::check_held(const std::vector<Boundary> &boundaries) const
+  void Supports<dim>::check_held(const Scene &scene) const
   {
-    for (const auto &boundary : boundaries)
+    if (!scene.tools.empty())
+      return;
+    for (const auto &boundary : scene.boundaries)
       if (boundary.mechanical == Boundary::Mechanical::fixed ||
           boundary.mechanical == Boundary::Mechanical::displacement)
         return;

@@ -6,6 +6,10 @@ namespace Cautery
   TissueElasticity::TissueElasticity(const Tissue &tissue, const bool expands)
     : tissue(tissue), expands(expands)
   {
+    AssertThrow(
+      tissue.fibres.empty() || !is_linear(),
+      ExcInput("Tissues/" + tissue.name +
+               "/Elastic law = linear has no fibres; take out Fibre families, or choose neo-Hookean"));
     law(reference_temperature()).check();
   }
 

@@ -8,6 +8,9 @@
 
 namespace Cautery
 {
+  /** For Prescribed: the temperature that @p boundary prescribes, or nullptr. */
+  const Expression *prescribed_temperature(const Boundary &boundary, const unsigned int component);
+
   /**
    * The balance of heat (thesis Eqs. 4-22 and 6-8) without its coupling to deformation:
    * M = int tau rho C N N, C = int (rho C + tau w) N N, K = int k grad N grad N + int w N N,

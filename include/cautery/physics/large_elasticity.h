@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/physics/inverted_cell.h>
 #include <cautery/physics/outer_load.h>
 #include <cautery/physics/supports.h>
 #include <cautery/physics/tissue_elasticity.h>
-#include <cautery/space/cell_number.h>
 #include <cautery/space/state.h>
 
 #include <optional>
@@ -18,19 +18,11 @@ namespace Cautery
   {
     Vector force;        ///< dead loads, N
     Vector prescribed;   ///< displacements where they are prescribed, elsewhere 0; m
-    Vector temperature;  ///< K, with ghost entries; empty without thermal expansion
+    Vector temperature;  ///< K; empty without thermal expansion
     double heating = 1.; ///< what the thermal strain is multiplied with
 
     /** What acts when @p share of the way from @p from to @p to is done. */
     static Loading between(const Loading &from, const Loading &to, const double share);
-  };
-
-  /** A cell that a displacement turns inside out. */
-  struct InvertedCell
-  {
-    CellNumber cell;     ///< in the undistributed mesh
-    Point<3>   place;    ///< centre of the undeformed cell, m
-    double     jacobian; ///< the least J = det F in it, not positive
   };
 
   /**
@@ -93,7 +85,6 @@ namespace Cautery
 
     template <typename Work>
     void for_each_cell(const Vector &x, const Loading &loading, const Work &work) const;
-    std::optional<InvertedCell> worst(const std::optional<InvertedCell> &own) const;
 
     const Field<dim>             &displacement;
     const Field<dim>             &nodes;

@@ -3,7 +3,7 @@
 
 #include <cautery/physics/nodal_gradients.h>
 #include <cautery/physics/tissue_elasticity.h>
-#include <cautery/scene/effects.h>
+#include <cautery/scene/scene.h>
 #include <cautery/space/state.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -17,7 +17,7 @@ namespace Cautery
   struct PointMechanics
   {
     SymmetricTensor<2, dim> strain; ///< small; in large deformation Green's, E = (F'F - I) / 2
-    SymmetricTensor<2, dim> stress; ///< in large deformation Cauchy's, Pa
+    SymmetricTensor<2, dim> stress; ///< in large deformation Cauchy's or S, as the scene says; Pa
     double strain_energy; ///< 1/2 sigma':eps without the thermal part of the stress, or 1/2 S':E (Eq. 7-49),
                           ///< J/m3
     double thermal_strain_energy; ///< 1/2 sigma:eps with it (thesis Eq. 2-4), or 1/2 S:E, J/m3
@@ -40,7 +40,7 @@ namespace Cautery
   class MechanicalRecovery
   {
   public:
-    MechanicalRecovery(const Effects             &effects,
+    MechanicalRecovery(const Scene               &scene,
                        const NodalGradients<dim> &gradients,
                        const Field<dim>          &displacement,
                        const TissueMap<dim>      &tissues);
@@ -52,6 +52,7 @@ namespace Cautery
     at_piece(const unsigned int piece, const Tensor<2, dim> &gradient, const State &state) const;
 
     const bool                          expands;
+    const OutputSettings::Stress        measure;
     const NodalGradients<dim>          &gradients;
     const Field<dim>                   &displacement;
     const TissueMap<dim>               &tissues;

@@ -23,11 +23,27 @@ namespace Cautery
 
     Prescribed(const Field<dim> &field, const BoundaryMap<dim> &boundaries, const Chooser &chooser);
 
+    /** Prescribes the components of a displacement at the nodes within a sphere (m), but where a surface
+     * does. Returns the number of nodes there, of all processes. Collective. */
+    unsigned int
+    add_within(const Point<3> &centre, const double radius, const VectorExpression &displacement);
+
     /** Adds a homogeneous constraint for each of them. */
     void constrain(AffineConstraints<double> &constraints) const;
 
     /** Sets the locally owned ones in @p x to their values at @p time (s). */
     void set(const double time, Vector &x) const;
+
+    bool contains(const types::global_dof_index unknown) const { return values.count(unknown) > 0; }
+
+    /** Calls work(unknown, expression, place in m) for the locally owned ones. */
+    template <typename Work>
+    void for_each_owned(const Work &work) const
+    {
+      for (const auto &[unknown, value] : values)
+        if (field.owned().is_element(unknown))
+          work(unknown, *value.expression, value.place);
+    }
 
     /** Are all of them zero at all times? */
     bool homogeneous() const;
