@@ -10,7 +10,7 @@ namespace Cautery
     , field(body.nodes, dim)
     , statics(scene, body, field, cost)
     , gradients(body.nodes, body.tissues)
-    , recovery(scene.effects, gradients, field, body.tissues)
+    , recovery(scene, gradients, field, body.tissues)
   {
     if (scene.effects.deformation == Effects::Deformation::inertia)
       integrator = std::make_unique<BackwardEuler>(

@@ -1,14 +1,49 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/problems/statics.h>
+#include <cautery/time/dynamic_relaxation.h>
 #include <cautery/time/newton_equilibrium.h>
 
 namespace Cautery
 {
+  namespace
+  {
+    /** Dynamic relaxation and all that it works on. */
+    class RelaxedBody : public Equilibrium
+    {
+    public:
+      RelaxedBody(const Scene &scene, const Body<3> &body, const Field<3> &displacement, Cost &cost)
+        : nodes(body.nodes)
+        , cells(scene, body.nodes, body.tissues, nodes)
+        , supports(scene, displacement, body.boundaries)
+        , load(scene, displacement, body.nodes, body.tissues, body.boundaries, body.locator)
+        , relaxation(scene, cells, nodes, supports, load, cost)
+      {
+        supports.check_held(scene);
+      }
+
+      void                          solve(State &state) override { relaxation.solve(state); }
+      std::map<std::string, double> statistics() const override { return relaxation.statistics(); }
+
+    private:
+      TledNodes<double> nodes;
+      TledBody<double>  cells;
+      Supports<3>       supports;
+      OuterLoad<3>      load;
+      DynamicRelaxation relaxation;
+    };
+  } // namespace
+
   template <int dim>
   Statics<dim>::Statics(const Scene &scene, const Body<dim> &body, const Field<dim> &displacement, Cost &cost)
   {
     if (scene.effects.deformation == Effects::Deformation::large_equilibrium)
       {
+        if constexpr (dim == 3)
+          if (scene.numerics.large_equilibrium == Numerics::LargeEquilibrium::relaxation)
+            {
+              equilibrium = std::make_unique<RelaxedBody>(scene, body, displacement, cost);
+              return;
+            }
         large = std::make_unique<LargeElasticity<dim>>(
           scene, displacement, body.nodes, body.tissues, body.boundaries, body.locator);
         equilibrium = std::make_unique<NewtonEquilibrium<dim>>(

@@ -38,17 +38,21 @@ namespace Cautery
   }
 
   template <int dim>
+  std::unique_ptr<Integrator> make_heat_integrator(const Scene &scene, Heat<dim> &heat, Cost &cost)
+  {
+    if (scene.time.integrator == TimeSettings::Integrator::ida)
+      return std::make_unique<IdaHeat<dim>>(scene.time, heat, cost);
+    return std::make_unique<BackwardEuler>(scene.time, scene.numerics, std::vector<Balance *>{&heat}, cost);
+  }
+
+  template <int dim>
   ThermalProblem<dim>::ThermalProblem(const Scene &scene, const Body<dim> &body, Cost &cost)
     : scene(scene)
     , body(body)
     , cost(cost)
     , heat(scene, body.nodes, body.tissues, body.boundaries, body.locator)
+    , integrator(make_heat_integrator(scene, heat, cost))
   {
-    if (scene.time.integrator == TimeSettings::Integrator::ida)
-      integrator = std::make_unique<IdaHeat<dim>>(scene.time, heat, cost);
-    else
-      integrator =
-        std::make_unique<BackwardEuler>(scene.time, scene.numerics, std::vector<Balance *>{&heat}, cost);
     if (scene.effects.damage == Effects::Damage::critical_thermal_load)
       gradients = std::make_unique<NodalGradients<dim>>(body.nodes, body.tissues);
     if (scene.effects.has_damage())
@@ -98,10 +102,12 @@ namespace Cautery
     return result;
   }
 
-  template void                 start_heat(const Scene &, const Field<2> &, State &);
-  template void                 start_heat(const Scene &, const Field<3> &, State &);
-  template HeatBalance<2>::Rule bookkeeping_rule<2>(const TimeSettings &);
-  template HeatBalance<3>::Rule bookkeeping_rule<3>(const TimeSettings &);
+  template void                        start_heat(const Scene &, const Field<2> &, State &);
+  template void                        start_heat(const Scene &, const Field<3> &, State &);
+  template std::unique_ptr<Integrator> make_heat_integrator(const Scene &, Heat<2> &, Cost &);
+  template std::unique_ptr<Integrator> make_heat_integrator(const Scene &, Heat<3> &, Cost &);
+  template HeatBalance<2>::Rule        bookkeeping_rule<2>(const TimeSettings &);
+  template HeatBalance<3>::Rule        bookkeeping_rule<3>(const TimeSettings &);
   template class ThermalProblem<2>;
   template class ThermalProblem<3>;
 } // namespace Cautery

@@ -26,7 +26,7 @@ namespace Cautery
     , statics(scene, body, field, cost)
     , displacement_at_every_step(every_step(scene))
     , gradients(body.nodes, body.tissues)
-    , recovery(scene.effects, gradients, field, body.tissues)
+    , recovery(scene, gradients, field, body.tissues)
   {
     make_integrator();
     if (scene.effects.has_damage())
@@ -137,18 +137,6 @@ namespace Cautery
     return result;
   }
 
-  template <int dim>
-  std::unique_ptr<Problem<dim>> make_problem(const Scene &scene, const Body<dim> &body, Cost &cost)
-  {
-    if (!scene.effects.has_deformation())
-      return std::make_unique<ThermalProblem<dim>>(scene, body, cost);
-    if (!scene.effects.has_heat())
-      return std::make_unique<MechanicalProblem<dim>>(scene, body, cost);
-    return std::make_unique<ThermomechanicalProblem<dim>>(scene, body, cost);
-  }
-
-  template std::unique_ptr<Problem<2>> make_problem(const Scene &, const Body<2> &, Cost &);
-  template std::unique_ptr<Problem<3>> make_problem(const Scene &, const Body<3> &, Cost &);
   template class ThermomechanicalProblem<2>;
   template class ThermomechanicalProblem<3>;
 } // namespace Cautery

@@ -25,13 +25,6 @@ namespace Cautery
       exception.print_info(text);
       return Utilities::trim(text.str());
     }
-
-    std::string tell(const InvertedCell &inverted)
-    {
-      return "cell " + std::to_string(inverted.cell) + " at " + to_text(inverted.place[0]) + ", " +
-             to_text(inverted.place[1]) + ", " + to_text(inverted.place[2]) +
-             " m is turned inside out (J = " + to_text(inverted.jacobian) + ")";
-    }
   } // namespace
 
   template <int dim>
@@ -96,7 +89,7 @@ namespace Cautery
     moves -= from.prescribed;
     bool must_move = moves.linfty_norm() > 0.;
     if (const auto inverted = find_residual(x, target))
-      return tell(*inverted);
+      return inverted->message();
     start_norm = residual.l2_norm();
     for (unsigned int iteration = 0; iteration <= settings.max_iterations; ++iteration)
       {
@@ -128,7 +121,7 @@ namespace Cautery
     x += moves;
     x += direction;
     const auto inverted = find_residual(x, target);
-    return inverted ? tell(*inverted) : Failure();
+    return inverted ? inverted->message() : Failure();
   }
 
   /// An iteration down to less energy.
@@ -200,7 +193,7 @@ namespace Cautery
   {
     const double start = residual * direction;
     if (!(start < 0.))
-      return "the tangent is not positive definite: the body buckles";
+      return "the tangent is not positive definite, as where a body buckles";
     const Vector                from = x;
     std::optional<InvertedCell> inverted;
     double                      length = 1.;
@@ -216,7 +209,7 @@ namespace Cautery
         const double secant = std::isfinite(slope) ? start / (start - slope) : 0.5;
         length *= std::max(0.1, secant);
       }
-    return inverted ? tell(*inverted) : "Newton's direction does not lead down to less energy";
+    return inverted ? inverted->message() : "Newton's direction does not lead down to less energy";
   }
 
   template <int dim>

@@ -17,7 +17,7 @@ namespace Cautery
   {
     Statics(const Scene &scene, const Body<dim> &body, const Field<dim> &displacement, Cost &cost);
 
-    std::unique_ptr<Elasticity<dim>>      small; ///< one of the two
+    std::unique_ptr<Elasticity<dim>>      small; ///< one of the two, or none with dynamic relaxation
     std::unique_ptr<LargeElasticity<dim>> large;
     std::unique_ptr<Equilibrium>          equilibrium; ///< none with inertia
   };

@@ -37,6 +37,10 @@ namespace Cautery
   template <int dim>
   void start_heat(const Scene &scene, const Field<dim> &nodes, State &state);
 
+  /** Backward Euler or IDA, as the scene says. Arguments must live as long as it. */
+  template <int dim>
+  std::unique_ptr<Integrator> make_heat_integrator(const Scene &scene, Heat<dim> &heat, Cost &cost);
+
   /** How the books integrate over a step of the scene's integrator. */
   template <int dim>
   typename HeatBalance<dim>::Rule bookkeeping_rule(const TimeSettings &settings);

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/flush_denormals.h>
+#include <cautery/time/backward_euler.h>
+#include <cautery/time/central_difference.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Cautery
+{
+  namespace
+  {
+    constexpr unsigned int dim = 3;
+    /// Lengths of steps that differ by less, relative, differ by rounding.
+    constexpr double same_length = 1e-9;
+    /// Steps of motion after which the stable step is found anew; finding it costs some 25 of them.
+    constexpr unsigned int first_renewal = 100;
+    constexpr unsigned int last_renewal  = 3200;
+  } // namespace
+
+  template <typename Number>
+  CentralDifference<Number>::CentralDifference(const Scene            &scene,
+                                               const Field<3>         &field,
+                                               TledBody<Number>       &body,
+                                               TledNodes<Number>      &nodes,
+                                               ExplicitMotion<Number> *motion,
+                                               ExplicitHeat<Number>   *heat,
+                                               Cost                   &cost)
+    : scene(scene)
+    , settings(scene.numerics.explicit_steps)
+    , field(field)
+    , body(body)
+    , nodes(nodes)
+    , motion(motion)
+    , heat(heat)
+    , cost(cost)
+    , renewal(first_renewal)
+  {
+    for (Records *records : {&values, &rates, &forces, &loads})
+      *records = nodes.zero();
+    if (motion != nullptr)
+      {
+        motion->fill_loads(loads);
+        motion_limit = std::make_unique<CriticalStep<Number>>(body, nodes, Part::motion, motion->masses());
+        drift_keep   = nodes.zero();
+        drift_gain   = nodes.zero();
+        // the temperature goes on as it does
+        for (std::size_t i = node_record - 1; i < drift_keep.size(); i += node_record)
+          drift_keep[i] = 1.;
+      }
+    if (heat != nullptr)
+      for (Records *records : {&keep, &gain, &exchange})
+        *records = nodes.zero();
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::start(const State &state)
+  {
+    if (scene.effects.has_heat())
+      for (std::uint32_t node = 0; node < nodes.n_own(); ++node)
+        values[node_record * node + dim] = state.temperature.begin()[node] - body.reference_temperature();
+    nodes.update(values);
+    if (heat != nullptr)
+      {
+        heat->start(state);
+        CriticalStep<Number> heat_limit(body, nodes, Part::heat, heat->capacities());
+        longest_heat = limit(settings.heat_step,
+                             heat->stable_step(heat_limit.largest_eigenvalue(values)),
+                             "Heat step",
+                             state.time);
+      }
+    if (motion != nullptr)
+      renew_limit(state.time);
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::renew_limit_in_time(const double time)
+  {
+    if (n_motion_steps < next_renewal)
+      return;
+    const auto scope = cost.measure("deformation: stable step");
+    renew_limit(time);
+  }
+
+  /** The longest step that is to be taken, of what the scene gives (0: nothing) and what is @p stable; all in
+   * s. */
+  template <typename Number>
+  double CentralDifference<Number>::limit(const double       given,
+                                          const double       stable,
+                                          const std::string &entry,
+                                          const double       time) const
+  {
+    if (given == 0.)
+      return settings.safety * stable;
+    if (given <= stable || settings.unstable_steps)
+      return given;
+    const std::string message =
+      "Numerics/Explicit/" + entry + " = " + to_text(given) + " s is longer than the " + to_text(stable) +
+      " s that are known to be stable at t = " + to_text(time) +
+      " s; take at most that, or 0 for the program's choice" + ", or set Unstable steps = on";
+    AssertThrow(time > 0., ExcInput(message));
+    AssertThrow(false, ExcRun(message));
+    return given;
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::renew_limit(const double time)
+  {
+    const double before = longest_motion;
+    longest_motion      = limit(
+      settings.motion_step, 2. / std::sqrt(motion_limit->largest_eigenvalue(values)), "Motion step", time);
+    // seldom where it hardly changes
+    if (std::abs(longest_motion - before) < 0.01 * before)
+      renewal = std::min(2 * renewal, last_renewal);
+    else
+      renewal = std::max(renewal / 2, first_renewal);
+    next_renewal = n_motion_steps + renewal;
+  }
+
+  template <typename Number>
+  unsigned int CentralDifference<Number>::n_parts(const double length, const double longest) const
+  {
+    return std::max(1., std::ceil(length / longest * (1. - 1e-9)));
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::step(State &state, const double stop)
+  {
+    const FlushDenormals flush;
+    const Step           whole = next_step(state.time, scene.time.step, stop);
+    if (heat != nullptr && heat->refresh(state))
+      heat_duration = 0.;
+    if (heat == nullptr)
+      move(whole);
+    else
+      {
+        if (!heat->relaxes())
+          heat->load(whole, loads);
+        advance_all(whole);
+      }
+    state.time = whole.to;
+    ++state.step;
+    write(state);
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::follow(const Step &step, State &state)
+  {
+    const FlushDenormals flush;
+    for (std::uint32_t node = 0; node < nodes.n_own(); ++node)
+      {
+        const std::size_t entry = node_record * node + dim;
+        rates[entry] =
+          (state.temperature.begin()[node] - body.reference_temperature() - values[entry]) / step.length();
+      }
+    move(step);
+    write(state);
+  }
+
+  /** The steps of heat, and of motion, from one end of @p whole to the other. */
+  template <typename Number>
+  void CentralDifference<Number>::advance_all(const Step &whole)
+  {
+    const unsigned int n    = n_parts(whole.length(), longest_heat);
+    const auto         part = [&](const unsigned int i) {
+      const double length = whole.length() / n;
+      return Step{i == 0 ? whole.from : whole.from + i * length,
+                  i + 1 == n ? whole.to : whole.from + (i + 1) * length};
+    };
+    for (unsigned int i = 0; i < n;)
+      {
+        if (motion == nullptr || n_parts(whole.length() / n, longest_motion) > 1)
+          {
+            advance(part(i++));
+            continue;
+          }
+        // motion takes heat's steps too
+        renew_limit_in_time(whole.from);
+        const auto scope = cost.measure("deformation: explicit steps");
+        do
+          {
+            begin_heat_step(part(i));
+            move_once(part(i++), Part::both);
+          }
+        while (i < n && n_motion_steps < next_renewal);
+      }
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::begin_heat_step(const Step &step)
+  {
+    if (heat->relaxes())
+      heat->load(step, loads);
+    set_heat_step(step.length());
+    ++n_heat_steps;
+  }
+
+  /** A step of heat, and the steps of motion in it. */
+  template <typename Number>
+  void CentralDifference<Number>::advance(const Step &step)
+  {
+    begin_heat_step(step);
+    {
+      const auto scope = cost.measure("heat: explicit steps");
+      body.add_forces(Part::heat, values, forces);
+      nodes.collect(forces);
+      heat->prescribe(step, values, forces, rates);
+      // with motion, only the rate: the temperature follows during its steps
+      take_step(motion == nullptr ? step.length() : 0., Part::heat, keep, gain);
+    }
+    if (motion != nullptr)
+      move(step);
+    else
+      nodes.update(values);
+    const auto scope = cost.measure("heat: explicit steps");
+    heat->record(step.length(), values, rates);
+  }
+
+  /** The steps of motion from one end of @p step to the other. */
+  template <typename Number>
+  void CentralDifference<Number>::move(const Step &step)
+  {
+    double time = step.from;
+    while (time < step.to)
+      {
+        renew_limit_in_time(time);
+        const bool   go_on   = last_motion_step <= longest_motion && last_motion_step > 0.9 * longest_motion;
+        const double longest = go_on ? last_motion_step : longest_motion;
+        const Step   rest    = {time, step.to};
+        const auto   n       = n_parts(rest.length(), longest);
+        const auto   n_now   = std::min<unsigned int>(n, next_renewal - n_motion_steps);
+        const auto   scope   = cost.measure("deformation: explicit steps");
+        for (unsigned int i = 0; i < n_now; ++i)
+          {
+            const double to = i + 1 == n ? step.to : rest.from + (i + 1) * rest.length() / n;
+            move_once({time, to}, Part::motion);
+            time = to;
+          }
+      }
+  }
+
+  /** One step of motion, with @p part = both also one of heat. */
+  template <typename Number>
+  void CentralDifference<Number>::move_once(const Step &step, const Part part)
+  {
+    const bool both = part == Part::both;
+    set_motion_step(step.length());
+    const bool healthy = body.add_forces(part, values, forces);
+    check_healthy(healthy, step.from);
+    motion->apply_changing_loads(step.from, forces);
+    nodes.collect(forces);
+    motion->release_rollers(forces);
+    motion->prescribe(step.to, step.length(), values, rates);
+    if (both)
+      heat->prescribe(step, values, forces, rates);
+    take_step(step.length(), part, both ? keep : drift_keep, both ? gain : drift_gain);
+    nodes.update(values);
+    if (both)
+      heat->record(step.length(), values, rates);
+    last_motion_step = step.length();
+    ++n_motion_steps;
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::take_step(const double   duration,
+                                            const Part     part,
+                                            const Records &keep_share,
+                                            const Records &gain_share)
+  {
+    NodeStep<Number> step;
+    step.n_nodes  = nodes.n_own();
+    step.values   = values.data();
+    step.rates    = rates.data();
+    step.forces   = forces.data();
+    step.loads    = loads.data();
+    step.keep     = keep_share.data();
+    step.gain     = gain_share.data();
+    step.exchange = part == Part::motion ? nullptr : exchange.data();
+    step.duration = duration;
+    step.motion   = part != Part::heat;
+    body.kernel().step(step);
+  }
+
+  /** Between two rates that are @p duration and the last step apart, the mean of both counts. */
+  template <typename Number>
+  void CentralDifference<Number>::set_motion_step(const double duration)
+  {
+    const double mean = 0.5 * (last_motion_step + duration);
+    if (std::abs(mean - motion_mean) <= same_length * mean)
+      return;
+    motion_mean = mean;
+    motion->fill(mean, settings.damping, motion->masses(), drift_keep, drift_gain);
+    if (heat != nullptr)
+      motion->fill(mean, settings.damping, motion->masses(), keep, gain);
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::set_heat_step(const double duration)
+  {
+    if (std::abs(duration - heat_duration) <= same_length * duration)
+      return;
+    heat_duration = duration;
+    heat->fill(duration, keep, gain, exchange);
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::check_healthy(const bool healthy, const double time) const
+  {
+    const MPI_Comm communicator = nodes.communicator();
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1 ?
+          healthy :
+          Utilities::MPI::min(healthy ? 1 : 0, communicator) == 1)
+      return;
+    const auto cell = body.inverted(values);
+    AssertThrow(false,
+                ExcRun("at t = " + to_text(time) + " s " +
+                       (cell ? cell->message() : std::string("a cell's deformation is not a number")) +
+                       "; load the body more slowly or less, refine the mesh there, or lower "
+                       "Numerics/Explicit/Safety factor"));
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::write(State &state) const
+  {
+    if (motion != nullptr)
+      {
+        double *displacement = state.displacement.begin();
+        for (std::uint32_t node = 0; node < nodes.n_own(); ++node)
+          for (unsigned int c = 0; c < dim; ++c)
+            displacement[dim * node + c] = values[node_record * node + c];
+        // small strain knows no inverted cell
+        const double far = state.displacement.linfty_norm();
+        AssertThrow(far < 1e3 * field.mesh().bounding_box().side_length(0),
+                    ExcRun("the motion grows without bounds (" + to_text(far) + " m at t = " +
+                           to_text(state.time) + " s); lower Numerics/Explicit/Safety factor, or damp it"));
+      }
+    if (heat != nullptr)
+      for (std::uint32_t node = 0; node < nodes.n_own(); ++node)
+        {
+          state.temperature.begin()[node] = body.reference_temperature() + values[node_record * node + dim];
+          if (heat->relaxes())
+            state.temperature_rate.begin()[node] = rates[node_record * node + dim];
+        }
+  }
+
+  template <typename Number>
+  std::map<std::string, double> CentralDifference<Number>::statistics() const
+  {
+    std::map<std::string, double> result;
+    if (motion != nullptr)
+      {
+        result["motion_steps"]         = n_motion_steps;
+        result["stable_motion_step_s"] = longest_motion;
+        result["kinetic_energy_J"]     = motion->kinetic_energy(rates);
+      }
+    if (heat != nullptr)
+      result["heat_steps"] = n_heat_steps;
+    return result;
+  }
+
+  template class CentralDifference<float>;
+  template class CentralDifference<double>;
+} // namespace Cautery
