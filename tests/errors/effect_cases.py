@@ -96,7 +96,7 @@ TIME = [
     value("Time/End", "0", "it must be > 0"),
     value("Time/Step", "0", "it must be > 0"),
     value("Time/Step", "-1", "it must be > 0"),
-    value("Time/Integrator", "Runge-Kutta", "choose one of: backward Euler, IDA"),
+    value("Time/Integrator", "Runge-Kutta", "choose one of: backward Euler, IDA, explicit"),
     value("Time/Relative tolerance", "0", "it must be > 0 and < 1"),
     value("Output/Interval", "-1", "it must be >= 0"),
     Case("more outputs than steps",

@@ -15,13 +15,14 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 import effect_cases
+import large_cases
 import mesh_cases
 import run_cases
 import scene_cases
 from case import write_files
 
 GROUPS = {"values": scene_cases.VALUES, "names": scene_cases.NAMES, "mesh": mesh_cases.MESH,
-          "effects": effect_cases.EFFECTS, "time": effect_cases.TIME, "command_line": run_cases.COMMAND_LINE,
+          "effects": effect_cases.EFFECTS, "time": effect_cases.TIME, "large": large_cases.LARGE, "command_line": run_cases.COMMAND_LINE,
           "accepted": run_cases.ACCEPTED, "numerical": run_cases.NUMERICAL}
 
 

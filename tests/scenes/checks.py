@@ -263,3 +263,76 @@ def damage_constants(outcome):
              "liver": 0.5 + 0.5 * ln["liver"] / (ln["liver"] - ln["skin"]), "own": 1}
     for name, fraction in exact.items():
         near(dead[name], fraction, 1e-9)
+
+
+def solved(function, low, high):
+    """Where a rising function is zero."""
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (middle, high) if function(middle) < 0 else (low, middle)
+    return (low + high) / 2
+
+
+def pulled_stretches(outcome, traction, thermal_stretch, fibre):
+    """Along and across, of a neo-Hookean block that is pulled; fibre(I_4 - 1) is S along the fibres, which run along."""
+    first, second, _ = lame(outcome)
+
+    def nominal(stretch, along, across):
+        """P = s^2 P_e of the direction with this stretch."""
+        volume = along * across**2 / thermal_stretch**3
+        elastic = stretch / thermal_stretch
+        tension = second * (elastic - 1 / elastic) + first * math.log(volume) / elastic
+        return thermal_stretch**2 * (tension + (elastic * fibre(elastic**2 - 1) if stretch == along else 0))
+
+    def across(along):
+        return solved(lambda stretch: nominal(stretch * (1 + 1e-15), along, stretch), 0.2, 3)
+
+    along = solved(lambda stretch: nominal(stretch, stretch, across(stretch)) - traction, 0.5, 5)
+    return along, across(along)
+
+
+def large_fibres(outcome):
+    family = TISSUE + "collagen/Fibre "
+    stiffness, stiffening = outcome[family + "stiffness"], outcome[family + "stiffening"]
+    heated = math.exp(outcome[TISSUE + "Thermal expansion coefficient"] * 20)
+    along, across = pulled_stretches(outcome, 3000, heated,
+                                     lambda x: 2 * stiffness * x * math.exp(stiffening * x * x))
+    assert along > 1.15, along
+    for row in outcome.rows:
+        near(row["temperature_K"], 330, 1e-12)
+        if row["time_s"] == 1:
+            near(row["displacement_x_m"], (along - 1) * row["x_m"], 1e-9)
+            near(row["displacement_y_m"], (across - 1) * row["y_m"], 1e-9)
+            near(row["strain_xx"], (along**2 - 1) / 2, 1e-9)
+            near(row["stress_xx_Pa"], 3000 / along, 1e-9)
+            near(row["stress_yy_Pa"], 0, 0, 1e-5)
+
+
+def relaxed_fibres(outcome):
+    large_fibres(outcome)
+
+
+def explicit_block(outcome):
+    along, across = pulled_stretches(outcome, 1000, 1, lambda x: 0)
+    assert along > 1.3, along
+    length, flux, conductivity = 0.01, 1e6, outcome[TISSUE + "Conductivity"]
+    slope = flux / (conductivity * across**2 / along)  # of the temperature along the undeformed body
+    for row in outcome.rows:
+        if row["time_s"] > 0:
+            near(row["displacement_x_m"], (along - 1) * row["x_m"], 1e-9)
+            near(row["displacement_z_m"], (across - 1) * row["z_m"], 1e-9)
+            near(row["stress_xx_Pa"], 1000 / across**2, 1e-8)
+            near(row["temperature_K"] - 310, slope * row["x_m"], 1e-6)
+    near(outcome.summary["balance"]["lost_through_boundary_J"], -stored_in_slope(slope, length), 1e-6)
+
+
+def stored_in_slope(slope, length):
+    return 1000 * 4192 * length**2 * slope * length**2 / 2
+
+
+def explicit_bricks(outcome):
+    for row in outcome.rows:
+        near(row["displacement_z_m"], -9.81 * row["time_s"]**2 / 2, 0, 3e-7)
+    heat = outcome.summary["balance"]
+    near(heat["sources_J"], 2e6 * 1e-6 * 0.0075, 1e-9)
+    assert heat["stored_J"] > 0

@@ -15,7 +15,7 @@ def expected_unknowns(outcome):
     non_fourier = heat == "non-Fourier"
     two_way = outcome["Effects/Coupling"] == "two-way"
     present = {"temperature": heat != "off", "temperature_rate": non_fourier, "displacement": deformation != "off",
-               "displacement_rate": deformation == "inertia" or (non_fourier and two_way)}
+               "displacement_rate": deformation in ("inertia", "explicit dynamics") or (non_fourier and two_way)}
     return {name for name, is_there in present.items() if is_there}
 
 

@@ -2,7 +2,7 @@
 """Reads scenes (.prm) and the parameter reference."""
 import re
 
-NAMED = ("Tissues", "Heat sources", "Boundaries", "Loads")  # sections with a subsection for each name
+NAMED = ("Tissues", "Heat sources", "Boundaries", "Loads", "Tools")  # sections with a subsection for each name
 
 
 def entries(text):
@@ -27,7 +27,7 @@ def values(text):
 
 
 def general(path):
-    """The path with * in place of the name of a tissue, source, boundary or load."""
+    """The path with * in place of the name of a tissue, source, boundary, load or tool."""
     parts = path.split("/")
     if parts[0] in NAMED and len(parts) > 2:
         parts[1] = "*"

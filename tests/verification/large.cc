@@ -40,6 +40,26 @@ namespace Verification
     {", heated, linearised", joined({warm, {{"Tissues/tissue/Thermal stretch", "linearised"}}})},
     {", heated, exact", joined({warm, {{"Tissues/tissue/Thermal stretch", "exact"}}})}};
 
+  double difference(const Outcome &one, const Outcome &other)
+  {
+    const std::string             end = to_text(one.summary.at("end_time_s"));
+    std::map<std::string, double> largest, apart;
+    for (const auto &[place, row] : one.probes)
+      for (const auto &[column, value] : row)
+        {
+          if (place.first != end)
+            continue;
+          const std::string kind = column.substr(0, column.find('_'));
+          largest[kind]          = std::max(largest[kind], std::abs(value));
+          apart[kind]            = std::max(apart[kind], std::abs(value - other.end(place.second, column)));
+        }
+    double result = largest.empty() ? std::numeric_limits<double>::infinity() : 0.;
+    for (const auto &[kind, value] : apart)
+      if (kind == "displacement" || kind == "stress")
+        result = std::max(result, value / largest[kind]);
+    return result;
+  }
+
   std::vector<Override> bent_cube(const Element &element, const Tensor<2, 3> &rotation)
   {
     static unsigned int n_meshes = 0;
@@ -57,8 +77,13 @@ namespace Verification
 int main(int argc, char **argv)
 {
   using namespace Verification;
-  const std::map<std::string, std::function<void(Checks &)>> groups = {
-    {"tangent", tangent}, {"order", order}, {"homogeneous", homogeneous}, {"limits", limits}, {"cook", cook}};
+  const std::map<std::string, std::function<void(Checks &)>> groups = {{"tangent", tangent},
+                                                                       {"order", order},
+                                                                       {"homogeneous", homogeneous},
+                                                                       {"limits", limits},
+                                                                       {"cook", cook},
+                                                                       {"relaxation", relaxation},
+                                                                       {"motion", motion}};
   deal_II_exceptions::suppress_stacktrace_in_exceptions();
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   Checks                           checks;

@@ -30,10 +30,16 @@ namespace Verification
   std::vector<Override> bent_cube(const Element      &element,
                                   const Tensor<2, 3> &rotation = unit_symmetric_tensor<3>());
 
+  /** The largest difference of displacements and stresses, relative to the largest of their kind, at the last
+   * time. */
+  double difference(const Outcome &one, const Outcome &other);
+
   // groups: large_*.cc
   void tangent(Checks &checks);
   void order(Checks &checks);
   void homogeneous(Checks &checks);
   void limits(Checks &checks);
   void cook(Checks &checks);
+  void relaxation(Checks &checks);
+  void motion(Checks &checks);
 } // namespace Verification

@@ -18,25 +18,6 @@ namespace Verification
                                                {"Effects/Coupling", "expansion"},
                                                {"Initial state/Temperature", "310.0001"}};
 
-    /// The largest difference of a column, relative to the largest value of its kind (all displacements,
-    /// ...).
-    double difference(const Outcome &one, const Outcome &other)
-    {
-      std::map<std::string, double> largest, apart;
-      for (const auto &[place, row] : one.probes)
-        for (const auto &[column, value] : row)
-          {
-            const std::string kind = column.substr(0, column.find('_'));
-            largest[kind]          = std::max(largest[kind], std::abs(value));
-            apart[kind] = std::max(apart[kind], std::abs(value - other.probes.at(place).at(column)));
-          }
-      double result = 0.;
-      for (const auto &[kind, value] : apart)
-        if (kind == "displacement" || kind == "stress")
-          result = std::max(result, value / largest[kind]);
-      return result;
-    }
-
     void small_loads(Checks &checks)
     {
       for (const auto &element : elements)
@@ -117,6 +98,37 @@ namespace Verification
         }
     }
 
+    /// A clamped block whose far side is pulled away sidewards by its own length: at once, which takes steps
+    /// of the load, and little by little.
+    void load_steps(Checks &checks)
+    {
+      const std::vector<Override> clamped = {{"Boundaries/x0/Mechanical", "fixed"},
+                                             {"Boundaries/y0/Mechanical", "free"},
+                                             {"Boundaries/z0/Mechanical", "free"},
+                                             {"Boundaries/x1/Mechanical", "traction"},
+                                             {"Tissues/tissue/Poisson's ratio", "0.49"}};
+      for (const auto &element : {elements[2], elements[3]})
+        {
+          const auto    all     = joined({bent_cube(element), laws[2].overrides, clamped});
+          const Outcome at_once = run("large", joined({all, {{"Boundaries/x1/Traction", "6000; 0; 9000"}}}));
+          const Outcome slowly =
+            run("large",
+                joined({all,
+                        {{"Boundaries/x1/Traction", "6000*t; 0; 9000*t"},
+                         {"Output/Times", "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9"}}}));
+          // the first equilibrium, and the second, which the first already is
+          checks.holds(element.name + ", far at once: the load is taken in steps",
+                       at_once.summary.at("statistics").at("load_steps") > 2.);
+          for (const std::string column : {"displacement_x_m", "displacement_z_m"})
+            checks.near(element.name + ", at once and little by little: " + column,
+                        at_once.end("corner", column),
+                        slowly.end("corner", column),
+                        1e-9);
+          checks.holds(element.name + ", far at once: that is far",
+                       at_once.end("corner", "displacement_z_m") > 1.);
+        }
+    }
+
     /// A body that is turned by 97 degrees at once feels no stress; one that is turned inside out is
     /// refused.
     void extremes(Checks &checks)
@@ -173,6 +185,7 @@ namespace Verification
     small_loads(checks);
     free_expansion(checks);
     inclined_rollers(checks);
+    load_steps(checks);
     extremes(checks);
   }
 } // namespace Verification
