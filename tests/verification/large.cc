@@ -83,7 +83,8 @@ int main(int argc, char **argv)
                                                                        {"limits", limits},
                                                                        {"cook", cook},
                                                                        {"relaxation", relaxation},
-                                                                       {"motion", motion}};
+                                                                       {"motion", motion},
+                                                                       {"vibration", vibration}};
   deal_II_exceptions::suppress_stacktrace_in_exceptions();
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   Checks                           checks;

@@ -42,4 +42,5 @@ namespace Verification
   void cook(Checks &checks);
   void relaxation(Checks &checks);
   void motion(Checks &checks);
+  void vibration(Checks &checks);
 } // namespace Verification
