@@ -75,6 +75,43 @@ namespace Cautery
       static constexpr std::uint64_t root_half = 0x3fe6a09e667f3bcd;
     };
 
+    /// 1 / (n + 1)!
+    struct ReciprocalFactorials
+    {
+      static constexpr double coefficient(const int n)
+      {
+        return n == 0 ? 1. : coefficient(n - 1) / (n + 1);
+      }
+    };
+
+    /// 2 / (2 n + 1)
+    struct ReciprocalsOfOdds
+    {
+      static constexpr double coefficient(const int n) { return 2. / (2 * n + 1); }
+    };
+
+    /** The sum of coefficient(n) x^n for n = first, first + 2, ... < @p terms; @p square is that of x. */
+    template <typename Series, int first, int terms, typename L>
+    CAUTERY_INLINE L every_other_power(const L &square)
+    {
+      constexpr double coefficient = Series::coefficient(first);
+      if constexpr (first + 2 < terms)
+        return coefficient + square * every_other_power<Series, first + 2, terms>(square);
+      else
+        return L(coefficient);
+    }
+
+    /**
+     * The sum of coefficient(n) x^n for n < @p terms: odd and even powers apart, because one sum that waits for
+     * each product takes longer than all other arithmetic.
+     */
+    template <typename Series, int terms, typename L>
+    CAUTERY_INLINE L polynomial(const L &x)
+    {
+      const L square = x * x;
+      return every_other_power<Series, 0, terms>(square) + x * every_other_power<Series, 1, terms>(square);
+    }
+
     /** exp(x) = scale (1 + remainder) with scale a power of two. */
     template <typename Lanes>
     struct Exponential
@@ -95,9 +132,7 @@ namespace Cautery
       const L      shifted = x * 1.4426950408889634 + F::to_integer;
       const L      k       = shifted - F::to_integer;
       const L      r       = (x - k * ln2_high) - k * ln2_low;
-      L            series(1.);
-      for (int n = F::exponential_terms; n > 1; --n)
-        series = 1. + series * r * L(1. / n);
+      const L      series  = polynomial<ReciprocalFactorials, F::exponential_terms>(r);
       typename L::BitVector exponent = reinterpret_cast<typename L::BitVector>(shifted.v) << F::mantissa;
       exponent += static_cast<typename L::Bits>(F::bias) << F::mantissa;
       return {L(reinterpret_cast<typename L::Vector>(exponent)), series * r};
@@ -140,10 +175,8 @@ namespace Cautery
       const L f(biased == static_cast<Bit>(F::bias) ? x.v : (m - 1.).v);
       const L s      = f / (2. + f);
       const L square = s * s;
-      L       series(1. / (2 * F::logarithm_terms - 1));
-      for (int n = F::logarithm_terms - 1; n > 0; --n)
-        series = L(1. / (2 * n - 1)) + square * series;
-      return k * 0.6931471805599453 + 2. * s * series;
+      const L series = polynomial<ReciprocalsOfOdds, F::logarithm_terms>(square);
+      return k * 0.6931471805599453 + s * series;
     }
 
     /** The four numbers of a node's record, of one node in each lane. */
