@@ -259,6 +259,15 @@ namespace Cautery
     CAUTERY_INLINE __m256d high(const __m512d v) { return _mm512_extractf64x4_pd(v, 1); }
 #endif
 
+    /** Asks memory for @p count numbers that are needed soon; @p numbers may lie past the end of an array. */
+    template <int count, typename Number>
+    CAUTERY_INLINE void prefetch(const Number *numbers)
+    {
+      constexpr int in_cache_line = 64 / sizeof(Number);
+      for (int i = 0; i < count; i += in_cache_line)
+        __builtin_prefetch(numbers + i);
+    }
+
     /** Reads a record for each lane. */
     template <typename Number, int width>
     CAUTERY_INLINE void

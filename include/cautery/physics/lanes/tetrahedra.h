@@ -53,6 +53,9 @@ namespace Cautery
       return (at[0].component[3] + at[1].component[3] + at[2].component[3] + at[3].component[3]) * 0.25;
     }
 
+    /** How early a group's constants are asked for, in groups: memory answers within the time of these. */
+    constexpr int groups_ahead = 4;
+
     /** All groups of tetrahedra; see TledKernel::find. */
     template <typename Terms, typename Number>
     [[gnu::flatten]] bool sweep_tetrahedra(const CellSweep<Number> &cells)
@@ -108,6 +111,7 @@ namespace Cautery
           read(1);
           read(2);
           read(3);
+          prefetch<(10 + 3 * (Terms::n_fibres > 0)) * width>(constants + groups_ahead * n_rows * width);
           healthy = healthy & (jacobian.v > L(0.).v);
           for (int corner = 0; corner < 4; ++corner)
             last[corner] = forces[corner];
@@ -158,6 +162,7 @@ namespace Cautery
           const L thermal = excess * (3. + excess * (3. + excess)); // s^3 - 1
           const L change  = group.volume() * 0.25 * (k.volume_change - thermal);
           *reinterpret_cast<typename L::Vector *>(changes) = change.v;
+          prefetch<10 * width>(constants + groups_ahead * n_rows * width);
           healthy                                          = healthy & (k.jacobian.v > L(0.).v);
           last_offsets                                     = offsets;
         }
