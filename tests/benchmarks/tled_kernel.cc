@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How many tetrahedra a second the explicit kernel does on one core, for each instruction set and precision,
 // in and out of cache: the coupled step (neo-Hookean, one family of fibres, exact thermal stretch, Fourier's
-// heat, step of the nodes). Beside it, what the machine can do.
-// Usage: tled_kernel [deformed] [averaged] [CELLS_PER_EDGE...], with conduction in the deformed body, with
-// averaged nodal pressure (its sweep of volumes and its step too).
+// heat, step of the nodes). Beside it, what it would be if the machine did nothing but arithmetic or nothing
+// but moving memory, both measured in the same run. Usage: tled_kernel [deformed] [averaged]
+// [CELLS_PER_EDGE...], with conduction in the deformed body, with averaged nodal pressure (its sweep of
+// volumes and its step too).
 #include "peak.h"
 
 #include <cautery/physics/tled_cells.h>
@@ -144,28 +145,76 @@ namespace Cautery::Benchmark
              });
     }
 
+    /** What one core can do. */
     struct Machine
     {
-      Peak single_precision, double_precision;
+      double operations_per_second;
+      double bytes_per_second;
     };
-
-    Machine machine(const InstructionSet instruction_set)
-    {
-      switch (instruction_set)
-        {
-        case InstructionSet::x86_64_v4:
-          return {peak_float_x86_64_v4, peak_double_x86_64_v4};
-        case InstructionSet::x86_64_v3:
-          return {peak_float_x86_64_v3, peak_double_x86_64_v3};
-        default:
-          return {peak_float_x86_64, peak_double_x86_64};
-        }
-    }
 
     double operations_per_second(const Peak peak)
     {
       const std::size_t n = 1000000;
       return peak(n) / shortest([&]() { peak(n); });
+    }
+
+    template <typename Number>
+    Peak peak(const InstructionSet instruction_set)
+    {
+      constexpr bool single = std::is_same_v<Number, float>;
+      switch (instruction_set)
+        {
+        case InstructionSet::x86_64_v4:
+          return single ? peak_float_x86_64_v4 : peak_double_x86_64_v4;
+        case InstructionSet::x86_64_v3:
+          return single ? peak_float_x86_64_v3 : peak_double_x86_64_v3;
+        default:
+          return single ? peak_float_x86_64 : peak_double_x86_64;
+        }
+    }
+
+    /// Of the step without options, for a tetrahedron, in single and double precision: counted in the loop's
+    /// machine code, a fused multiplication and addition as two.
+    constexpr double operations_single = 460, operations_double = 490;
+
+    /** Bytes that a step moves at least: a sweep reads values once and adds to forces, the step of the nodes
+     * reads or writes nine records. */
+    template <typename Number>
+    double bytes(const TetrahedraMesh &mesh)
+    {
+      const std::size_t of_cell   = 4 * sizeof(std::uint32_t) + (10 + 3 * mesh.n_fibres) * sizeof(Number);
+      const std::size_t of_record = node_record * sizeof(Number);
+      return of_cell * mesh.cells.size() + (3 + 9) * of_record * mesh.nodes.size();
+    }
+
+    template <typename Number>
+    void print_row(const TetrahedraMesh &mesh,
+                   const SweepChoice    &choice,
+                   const InstructionSet  instruction_set,
+                   const Machine         machine)
+    {
+      constexpr bool single     = std::is_same_v<Number, float>;
+      const double   seconds    = seconds_per_step<Number>(mesh, choice, instruction_set);
+      const double   operations = (single ? operations_single : operations_double) * mesh.cells.size();
+      std::cout << std::setw(10) << name(instruction_set) << std::setw(8) << (single ? "single" : "double")
+                << std::setw(12) << mesh.cells.size() << std::setprecision(1) << std::setw(12)
+                << mesh.cells.size() / seconds / 1e6 << std::setprecision(3) << std::setw(10)
+                << 1e3 * seconds;
+      if (choice.conduction == SweepChoice::Conduction::reference && !choice.averaged_pressure)
+        std::cout << std::setw(12) << 1e3 * operations / machine.operations_per_second << std::setw(10)
+                  << 1e3 * bytes<Number>(mesh) / machine.bytes_per_second;
+      std::cout << std::endl;
+    }
+
+    template <typename Number>
+    void print_rows(const std::vector<unsigned int> &edges,
+                    const SweepChoice               &choice,
+                    const InstructionSet             instruction_set,
+                    const double                     bytes_per_second)
+    {
+      const Machine machine = {operations_per_second(peak<Number>(instruction_set)), bytes_per_second};
+      for (const unsigned int n : edges)
+        print_row<Number>(cube(n), choice, instruction_set, machine);
     }
   } // namespace
 } // namespace Cautery::Benchmark
@@ -187,24 +236,14 @@ int main(int argc, char **argv)
   if (edges.empty())
     edges = {8, 20, 44, 70};
 
-  std::cout << std::fixed << std::setprecision(1) << "memory: " << bandwidth() / 1e9 << " GB/s\n"
-            << std::setw(10) << "" << std::setw(12) << "tetrahedra" << std::setw(24)
-            << "single, million a second" << std::setw(24) << "double, million a second\n";
+  const double bytes_per_second = bandwidth();
+  std::cout << std::fixed << std::setw(10) << "" << std::setw(8) << "" << std::setw(12) << "tetrahedra"
+            << std::setw(12) << "million/s" << std::setw(10) << "step, ms" << std::setw(12) << "arithmetic"
+            << std::setw(10) << "memory" << std::endl;
   for (const InstructionSet instruction_set : instruction_sets())
     {
-      std::cout << name(instruction_set) << ": peak "
-                << operations_per_second(machine(instruction_set).single_precision) / 1e9 << " and "
-                << operations_per_second(machine(instruction_set).double_precision) / 1e9
-                << " Gflop/s in single and double precision\n";
-      for (const unsigned int n : edges)
-        {
-          const TetrahedraMesh mesh = cube(n);
-          std::cout << std::setw(22) << mesh.cells.size() << std::setw(24)
-                    << mesh.cells.size() / seconds_per_step<float>(mesh, choice, instruction_set) / 1e6
-                    << std::setw(23)
-                    << mesh.cells.size() / seconds_per_step<double>(mesh, choice, instruction_set) / 1e6
-                    << std::endl;
-        }
+      print_rows<float>(edges, choice, instruction_set, bytes_per_second);
+      print_rows<double>(edges, choice, instruction_set, bytes_per_second);
     }
   return 0;
 }
