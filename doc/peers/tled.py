@@ -19,10 +19,10 @@ import tempfile
 from kuhn_mesh import cube
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LENGTH, STEP, STEPS = 0.1, 1e-3, 500
+LENGTH, STEP, STEPS = 0.1, 1e-3, 1000
 YOUNG, POISSON, CONDUCTIVITY, HEAT, DENSITY, EXPANSION = 2716.2, 0.35, 0.613, 4192, 1000, 3e-4
 SHEAR, BULK = YOUNG / 2 / (1 + POISSON), YOUNG / 3 / (1 - 2 * POISSON)
-POWER, DAMPING, TEMPERATURE = 0.1, 50, 310  # W, 1/s, K
+POWER, DAMPING, TEMPERATURE = 10, 50, 310  # W, 1/s, K
 MICROSOFT = """
 #include <cstdio>
 #include <cstring>
@@ -103,15 +103,14 @@ class Niftysim:
 class Cautery:
     name = "Cautery"
 
-    def __init__(self, n, folder, physics, *settings):
-        self.folder, self.physics = folder / "out", physics
+    def __init__(self, scene, n, folder, physics, *settings):
+        self.scene, self.folder, self.physics = ROOT / "prm" / "benchmarks" / scene, folder / "out", physics
         self.settings = ("Mesh/Subdivisions=" + str(n), f"Time/End={STEP * STEPS}", f"Time/Step={STEP * STEPS}",
-                         f"Heat sources/needle/Power={POWER}", "Boundaries/top/Traction=0; 0; 0", *settings)
+                         "Boundaries/top/Traction=0; 0; 0", *settings)
 
     def seconds(self):
         arguments = [word for setting in self.settings for word in ("--set", setting)]
-        run(ROOT / "build" / "cautery", ROOT / "prm" / "benchmarks" / "tled_cache_single.prm", "--output", self.folder,
-            *arguments)
+        run(ROOT / "build" / "cautery", self.scene, "--output", self.folder, *arguments)
         with open(self.folder / "probes.csv", newline="") as file:
             self.heating = float(list(csv.DictReader(file))[-1].get("temperature_K") or TEMPERATURE) - TEMPERATURE
         cost = json.loads((self.folder / "summary.json").read_text())["cost"]
@@ -123,10 +122,10 @@ def main(fedfem_source, niftysim_program, n=20, repeat=3):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         pairs = ((Fedfem(fedfem_source, n, folder),
-                  Cautery(n, folder, Fedfem.physics, "Effects/Conduction in=deformed body")),
+                  Cautery("tled_cache_single.prm", n, folder, Fedfem.physics, "Effects/Conduction in=deformed body",
+                          f"Heat sources/needle/Power={POWER}")),
                  (Niftysim(niftysim_program, n, folder),
-                  Cautery(n, folder, Niftysim.physics, "Effects/Heat=off", "Effects/Coupling=none",
-                          "Tissues/tissue/Fibre families=", "Boundaries/top/Thermal=insulated")))
+                  Cautery("tled_cache_neo_hookean.prm", n, folder, Niftysim.physics)))
         print("| program | physics | tetrahedra | million tetrahedra a second | ratio |")
         print("|" + "---|" * 5)
         for them, us in pairs:

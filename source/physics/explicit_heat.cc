@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/explicit_heat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -43,13 +44,16 @@ namespace Cautery
       [&](const types::global_dof_index node, const Expression &temperature, const Point<3> &place) {
         held.push_back({nodes.local(node), &temperature, place});
       });
-    for (auto *vector :
-         {&capacity, &storage, &blood_weights, &surface_weights, &inside, &conducted, &delivered})
+    std::stable_partition(held.begin(), held.end(), [](const Held &node) {
+      return !node.temperature->depends_on_time();
+    });
+    for (auto *vector : {&capacity, &storage, &blood_weights, &surface_weights, &inside, &delivered})
       *vector = field.vector();
     if (non_fourier)
       {
         relaxation     = field.vector();
         metabolic_rate = field.vector();
+        conducted      = field.vector();
       }
     assemble(nullptr, nullptr, nullptr);
   }
@@ -164,7 +168,7 @@ namespace Cautery
   }
 
   template <typename Number>
-  void ExplicitHeat<Number>::load(const Step &step, Records &loads)
+  void ExplicitHeat<Number>::load(const Step &step, const Records &values, Records &loads)
   {
     Vector force = inside;
     if (non_fourier)
@@ -183,6 +187,7 @@ namespace Cautery
     outside.record(step, false, delivered, received);
     delivered *= 1. / step.length();
     delivered += inside;
+    sum_settled(values);
   }
 
   template <typename Number>
@@ -193,19 +198,33 @@ namespace Cautery
   {
     const Expression *last  = nullptr;
     double            value = 0.;
-    for (const Held &node : held)
+    std::size_t       still = n_settled;
+    for (std::size_t i = n_settled; i < held.size(); ++i)
       {
+        const Held       &node  = held[i];
         const std::size_t entry = node_record * node.node + heat;
         if (node.temperature != last || last->depends_on_place())
           value = node.temperature->value(node.place, step.to);
         last         = node.temperature;
         rates[entry] = (value - zero_temperature - values[entry]) / step.length();
-        if (!non_fourier)
-          conducted.begin()[node.node] = -flow[entry];
+        if (still == i && !last->depends_on_time() && rates[entry] == 0)
+          ++still;
       }
-    if (!non_fourier)
-      return;
-    // tau (q - q_before) / dt + q = - flow
+    if (std::exchange(n_settled, still) != still)
+      sum_settled(values);
+
+    double into_held = 0.;
+    if (non_fourier)
+      relax(step, flow);
+    for (const Held &node : held)
+      into_held += non_fourier ? conducted.begin()[node.node] : -flow[node_record * node.node + heat];
+    taken += step.length() * into_held;
+  }
+
+  /** The flux follows the @p flow late: tau (q - q_before) / dt + q = - flow. */
+  template <typename Number>
+  void ExplicitHeat<Number>::relax(const Step &step, const Records &flow)
+  {
     double sum = 0.;
     for (std::uint32_t node = 0; node < conducted.locally_owned_size(); ++node)
       {
@@ -215,6 +234,22 @@ namespace Cautery
         sum += q;
       }
     first -= step.length() * sum;
+  }
+
+  /** By the load, less what blood and surroundings take where T - T_0 is @p heating; W. */
+  template <typename Number>
+  double ExplicitHeat<Number>::brought(const std::uint32_t node, const Number heating) const
+  {
+    return delivered.begin()[node] -
+           (blood_weights.begin()[node] + surface_weights.begin()[node]) * (zero_temperature + heating);
+  }
+
+  template <typename Number>
+  void ExplicitHeat<Number>::sum_settled(const Records &values)
+  {
+    settled = 0.;
+    for (std::size_t i = 0; i < n_settled; ++i)
+      settled += brought(held[i].node, values[node_record * held[i].node + heat]);
   }
 
   template <typename Number>
@@ -234,13 +269,12 @@ namespace Cautery
         convected += duration * to_surroundings;
       }
     bled += duration * blood_source;
-    for (const Held &held_node : held)
+    taken += duration * settled;
+    for (std::size_t i = n_settled; i < held.size(); ++i)
       {
-        const auto        node  = held_node.node;
+        const auto        node  = held[i].node;
         const std::size_t entry = node_record * node + heat;
-        const double      e     = blood_weights.begin()[node] + surface_weights.begin()[node];
-        taken += duration * (delivered.begin()[node] - e * (zero_temperature + values[entry]) +
-                             conducted.begin()[node] - capacity.begin()[node] * rates[entry]);
+        taken += duration * (brought(node, values[entry]) - capacity.begin()[node] * rates[entry]);
       }
   }
 

@@ -59,8 +59,10 @@ namespace Cautery
                         &displacement,
                         place});
       });
-    // one after the other, those that follow the same expression
+    // first those that may settle, and one after the other those that follow the same expression
     std::stable_sort(held.begin(), held.end(), [](const Held &a, const Held &b) {
+      if (a.displacement->depends_on_time() != b.displacement->depends_on_time())
+        return b.displacement->depends_on_time();
       return std::less<const Expression *>()(a.displacement, b.displacement);
     });
   }
@@ -140,16 +142,21 @@ namespace Cautery
   void ExplicitMotion<Number>::prescribe(const double   to,
                                          const double   duration,
                                          const Records &values,
-                                         Records       &rates) const
+                                         Records       &rates)
   {
-    const Expression *last  = nullptr;
-    double            value = 0.;
-    for (const Held &entry : held)
+    const Expression *last    = nullptr;
+    double            value   = 0.;
+    bool              settled = true;
+    for (std::size_t i = n_settled; i < held.size(); ++i)
       {
+        const Held &entry = held[i];
         if (entry.displacement != last || last->depends_on_place())
           value = entry.displacement->value(entry.place, to);
         last               = entry.displacement;
         rates[entry.entry] = (value - values[entry.entry]) / duration;
+        settled            = settled && !last->depends_on_time() && rates[entry.entry] == 0;
+        if (settled)
+          n_settled = i + 1;
       }
   }
 

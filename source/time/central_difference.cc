@@ -135,7 +135,7 @@ namespace Cautery
     else
       {
         if (!heat->relaxes())
-          heat->load(whole, loads);
+          heat->load(whole, values, loads);
         advance_all(whole);
       }
     state.time = whole.to;
@@ -190,7 +190,7 @@ namespace Cautery
   void CentralDifference<Number>::begin_heat_step(const Step &step)
   {
     if (heat->relaxes())
-      heat->load(step, loads);
+      heat->load(step, values, loads);
     set_heat_step(step.length());
     ++n_heat_steps;
   }

@@ -43,7 +43,7 @@ namespace Cautery
     void fill(const double duration, Records &keep, Records &gain, Records &exchange) const;
 
     /** Sets and books the heat that comes from outside, in the mean over @p step. */
-    void load(const Step &step, Records &loads);
+    void load(const Step &step, const Records &values, Records &loads);
 
     /** Sets @p rates where the temperature is prescribed, so that it is right after @p step; and takes the @p
      * flow that was found for the books. */
@@ -70,6 +70,9 @@ namespace Cautery
       Point<3>          place;
     };
     void assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
+    void   relax(const Step &step, const Records &flow);
+    double brought(const std::uint32_t node, const Number heating) const;
+    void   sum_settled(const Records &values);
     bool dead_changed(const State &state);
 
     const Scene          &scene;
@@ -82,6 +85,7 @@ namespace Cautery
     Prescribed<3>         prescribed;
     HeatLoads<3>          outside;
     std::vector<Held>     held;
+    std::size_t           n_settled = 0; ///< of those held: the first so many keep their temperature
 
     // per own node
     Vector       capacity;                           ///< int rho C N, J/K
@@ -98,13 +102,14 @@ namespace Cautery
     // the books: sums of this process but for those of HeatLoads, J
     typename HeatLoads<3>::Received received;
     Vector                          start_temperature; ///< K
-    Vector                          conducted;         ///< q: heat conducted into the node's share, W
+    Vector                          conducted; ///< q into the node's share, W; non-Fourier only
     Vector                          delivered;         ///< by the load of the running step, W
     double                          blood     = 0.;    ///< int w T dt
     double                          bled      = 0.;    ///< int w T_b dt; of all processes
     double                          made      = 0.;    ///< by metabolism; of all processes
     double                          convected = 0.;    ///< int h T dt
     double                          taken     = 0.;    ///< through nodes of prescribed temperature
+    double                          settled   = 0.;    ///< of it, what settled nodes are brought; W
     double                          first     = 0.;    ///< by the first flux, see HeatBalance
   };
 } // namespace Cautery

@@ -44,7 +44,7 @@ namespace Cautery
     void release_rollers(Records &forces) const;
 
     /** Sets @p rates so that the prescribed displacements are those of @p to after a step of @p duration. */
-    void prescribe(const double to, const double duration, const Records &values, Records &rates) const;
+    void prescribe(const double to, const double duration, const Records &values, Records &rates);
 
     /** The kinetic energy of all processes, J. Collective. */
     double kinetic_energy(const Records &rates) const;
@@ -68,6 +68,7 @@ namespace Cautery
     const OuterLoad<3> &load;
     std::vector<double> mass;
     std::vector<Held>   held;
+    std::size_t         n_settled = 0; ///< of those held: the first so many stay where they are
     std::vector<Roller> rollers;
   };
 } // namespace Cautery
