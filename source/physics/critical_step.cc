@@ -96,7 +96,7 @@ namespace Cautery
       displaced[node_record * (i / n_components) + first + i % n_components] += size * direction[i];
     nodes.update(displaced);
     forces.fill(Number(0.));
-    body.add_forces(part, displaced, forces);
+    body.add_forces(part, displaced, forces, TledBody<Number>::SlackFibres::as_if_taut);
     nodes.collect(forces);
     for (std::size_t i = 0; i < direction.size(); ++i)
       {
@@ -110,16 +110,8 @@ namespace Cautery
   double CriticalStep<Number>::largest_eigenvalue(const Records &values)
   {
     base = values;
-    if (part == Part::motion)
-      {
-        // so that no fibre which is neither taut nor slack is taken for slack
-        const double stretch = 10. * std::sqrt(std::numeric_limits<Number>::epsilon());
-        for (std::uint32_t node = 0; node < nodes.n_all(); ++node)
-          for (unsigned int c = 0; c < n_components; ++c)
-            base[node_record * node + c] += stretch * nodes.places()[node][c];
-      }
     base_forces.fill(Number(0.));
-    body.add_forces(part, base, base_forces);
+    body.add_forces(part, base, base_forces, TledBody<Number>::SlackFibres::as_if_taut);
     nodes.collect(base_forces);
 
     Numbers             v = start(), before(v.size(), 0.), w(v.size());
@@ -141,6 +133,12 @@ namespace Cautery
         beside.push_back(size);
       }
     return margin * bound(diagonal, beside, size);
+  }
+
+  template <typename Number>
+  double CriticalStep<Number>::steady_share() const
+  {
+    return part == Part::motion && body.fibres_buckle() ? std::sqrt(0.5) : 1.;
   }
 
   template class CriticalStep<float>;

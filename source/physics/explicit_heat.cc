@@ -44,9 +44,8 @@ namespace Cautery
       [&](const types::global_dof_index node, const Expression &temperature, const Point<3> &place) {
         held.push_back({nodes.local(node), &temperature, place});
       });
-    std::stable_partition(held.begin(), held.end(), [](const Held &node) {
-      return !node.temperature->depends_on_time();
-    });
+    std::stable_partition(
+      held.begin(), held.end(), [](const Held &node) { return !node.temperature->depends_on_time(); });
     for (auto *vector : {&capacity, &storage, &blood_weights, &surface_weights, &inside, &delivered})
       *vector = field.vector();
     if (non_fourier)

@@ -103,7 +103,11 @@ namespace Cautery
     material.conductivity = tissue.thermal.conductivity.value(zero_temperature);
     if (effects.has_deformation())
       for (const FibreFamily &family : tissue.fibres)
-        share.fibres.push_back(family.law);
+        {
+          share.fibres.push_back(family.law);
+          share.taut_fibres.push_back(family.law);
+          share.taut_fibres.back().tension_only = false;
+        }
     material.fibres   = share.fibres.data();
     material.n_fibres = share.fibres.size();
 
@@ -179,7 +183,10 @@ namespace Cautery
   }
 
   template <typename Number>
-  bool TledBody<Number>::add_forces(const Part part, const Records &values, Records &forces)
+  bool TledBody<Number>::add_forces(const Part        part,
+                                    const Records    &values,
+                                    Records          &forces,
+                                    const SlackFibres slack)
   {
     bool healthy = true;
     for (Share &share : shares)
@@ -187,11 +194,25 @@ namespace Cautery
         CellSweep<Number> cells = share.cells;
         cells.values            = values.data();
         cells.forces            = forces.data();
+        if (slack == SlackFibres::as_if_taut)
+          cells.material.fibres = share.taut_fibres.data();
         if (share.averaged && part != Part::heat)
           healthy = find_pressures(*share.averaged, cells) && healthy;
         healthy = share.sweeps[static_cast<unsigned int>(part)](cells) && healthy;
       }
     return healthy;
+  }
+
+  template <typename Number>
+  bool TledBody<Number>::fibres_buckle() const
+  {
+    if (!scene.effects.has_deformation())
+      return false;
+    for (unsigned int t = 0; t < tissues.size(); ++t)
+      for (const FibreFamily &family : tissues.tissue(t).fibres)
+        if (family.law.tension_only)
+          return true;
+    return false;
   }
 
   template <typename Number>

@@ -20,11 +20,12 @@ namespace Cautery
             "s",
             "Step of Time/Integrator = explicit; 0: the largest stable one times the safety factor",
             Bounds::non_negative());
-    p.entry("Safety factor",
-            safety,
-            "",
-            "Share of the largest stable step that is taken",
-            Bounds{0., 1., true, false});
+    p.entry(
+      "Safety factor",
+      safety,
+      "",
+      "Share of the largest stable step that is taken, or 0.7 where fibres in tension only could resonate",
+      Bounds{0., 1., true, false});
     p.entry("Unstable steps",
             unstable_steps,
             "Take the given steps although they are longer than those that are known to be stable");

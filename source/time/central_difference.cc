@@ -15,7 +15,7 @@ namespace Cautery
     constexpr double same_length = 1e-9;
     /// Steps of motion after which the stable step is found anew; finding it costs some 25 of them.
     constexpr unsigned int first_renewal = 100;
-    constexpr unsigned int last_renewal  = 3200;
+    constexpr unsigned int last_renewal  = 800;
   } // namespace
 
   template <typename Number>
@@ -66,6 +66,7 @@ namespace Cautery
         CriticalStep<Number> heat_limit(body, nodes, Part::heat, heat->capacities());
         longest_heat = limit(settings.heat_step,
                              heat->stable_step(heat_limit.largest_eigenvalue(values)),
+                             settings.safety,
                              "Heat step",
                              state.time);
       }
@@ -82,16 +83,17 @@ namespace Cautery
     renew_limit(time);
   }
 
-  /** The longest step that is to be taken, of what the scene gives (0: nothing) and what is @p stable; all in
-   * s. */
+  /** The longest step that is to be taken: what the scene gives (0: nothing), or the @p share of what is @p
+   * stable; all in s. */
   template <typename Number>
   double CentralDifference<Number>::limit(const double       given,
                                           const double       stable,
+                                          const double       share,
                                           const std::string &entry,
                                           const double       time) const
   {
     if (given == 0.)
-      return settings.safety * stable;
+      return share * stable;
     if (given <= stable || settings.unstable_steps)
       return given;
     const std::string message =
@@ -107,8 +109,11 @@ namespace Cautery
   void CentralDifference<Number>::renew_limit(const double time)
   {
     const double before = longest_motion;
-    longest_motion      = limit(
-      settings.motion_step, 2. / std::sqrt(motion_limit->largest_eigenvalue(values)), "Motion step", time);
+    longest_motion      = limit(settings.motion_step,
+                           2. / std::sqrt(motion_limit->largest_eigenvalue(values)),
+                           std::min(settings.safety, motion_limit->steady_share()),
+                           "Motion step",
+                           time);
     // seldom where it hardly changes
     if (std::abs(longest_motion - before) < 0.01 * before)
       renewal = std::min(2 * renewal, last_renewal);

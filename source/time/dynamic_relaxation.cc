@@ -100,7 +100,8 @@ namespace Cautery
 
   void DynamicRelaxation::renew_step()
   {
-    duration = safety * 2. / std::sqrt(critical.largest_eigenvalue(values));
+    duration =
+      std::min(safety, critical.steady_share()) * 2. / std::sqrt(critical.largest_eigenvalue(values));
     motion.fill(duration, damping, masses, keep, gain);
   }
 

@@ -12,7 +12,8 @@ namespace Cautery
    *
    * By Lanczos's method with the kernel's own sweeps: the largest eigenvalue of the tridiagonal matrix, plus
    * the residual of its vector (Zhou and Li, Linear Algebra Appl. 435, 2011, 480-493). All that the cells do
-   * counts: fibres, thermal stretch, hourglass control. Bounds from single cells were tried: with natural
+   * counts: fibres (slack ones too, because they may be taut a few steps later), thermal stretch, hourglass
+   * control. Bounds from single cells were tried: with natural
    * shares of the nodal masses they are 1.5 times too small on a cube and over 4 times on a liver (in the
    * step); the thesis's L / c (Eq. 7-55) is up to 1.7 times too large.
    */
@@ -36,13 +37,21 @@ namespace Cautery
      * but for rounding. */
     double largest_eigenvalue(const Records &values);
 
+    /**
+     * The largest share of the stable step that is steady: 1, or sqrt(1/2) for motion where fibres bear
+     * tension only. Central differences of a spring whose stiffness changes with its sign are a piecewise
+     * linear map that keeps areas (Lagarias and Rains, J. Difference Equ. Appl. 11, 2005, 1089-1108): near
+     * the limit it resonates, and grows by up to 15 % a step at 0.9 of it. At sqrt(1/2) two steps turn the
+     * taut spring by half a period, and it never does.
+     */
+    double steady_share() const;
+
   private:
     using Numbers = std::vector<double>; ///< of the own nodes, some components each
 
     Numbers start() const;
     void    tangent(const Numbers &direction, Numbers &result);
     double  product(const Numbers &a, const Numbers &b) const;
-    void    displace(const Numbers &by, const double size);
 
     TledBody<Number>         &body;
     TledNodes<Number>        &nodes;

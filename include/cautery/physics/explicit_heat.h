@@ -69,11 +69,11 @@ namespace Cautery
       const Expression *temperature;
       Point<3>          place;
     };
-    void assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
+    void   assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
     void   relax(const Step &step, const Records &flow);
     double brought(const std::uint32_t node, const Number heating) const;
     void   sum_settled(const Records &values);
-    bool dead_changed(const State &state);
+    bool   dead_changed(const State &state);
 
     const Scene          &scene;
     const Field<3>       &field;
@@ -102,7 +102,7 @@ namespace Cautery
     // the books: sums of this process but for those of HeatLoads, J
     typename HeatLoads<3>::Received received;
     Vector                          start_temperature; ///< K
-    Vector                          conducted; ///< q into the node's share, W; non-Fourier only
+    Vector                          conducted;         ///< q into the node's share, W; non-Fourier only
     Vector                          delivered;         ///< by the load of the running step, W
     double                          blood     = 0.;    ///< int w T dt
     double                          bled      = 0.;    ///< int w T_b dt; of all processes

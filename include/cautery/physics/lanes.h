@@ -78,10 +78,7 @@ namespace Cautery
     /// 1 / (n + 1)!
     struct ReciprocalFactorials
     {
-      static constexpr double coefficient(const int n)
-      {
-        return n == 0 ? 1. : coefficient(n - 1) / (n + 1);
-      }
+      static constexpr double coefficient(const int n) { return n == 0 ? 1. : coefficient(n - 1) / (n + 1); }
     };
 
     /// 2 / (2 n + 1)
@@ -102,8 +99,8 @@ namespace Cautery
     }
 
     /**
-     * The sum of coefficient(n) x^n for n < @p terms: odd and even powers apart, because one sum that waits for
-     * each product takes longer than all other arithmetic.
+     * The sum of coefficient(n) x^n for n < @p terms: odd and even powers apart, because one sum that waits
+     * for each product takes longer than all other arithmetic.
      */
     template <typename Series, int terms, typename L>
     CAUTERY_INLINE L polynomial(const L &x)
@@ -127,12 +124,12 @@ namespace Cautery
       using L               = Lanes<Number, width>;
       using F               = Format<Number>;
       const double ln2_high = 0.693145751953125, ln2_low = 1.4286068203094172e-06; // their sum is ln 2
-      const double limit   = (F::largest_exponent - 1.) * (ln2_high + ln2_low);
-      const L      x       = -at_least(L(-limit), -at_least(L(-limit), argument));
-      const L      shifted = x * 1.4426950408889634 + F::to_integer;
-      const L      k       = shifted - F::to_integer;
-      const L      r       = (x - k * ln2_high) - k * ln2_low;
-      const L      series  = polynomial<ReciprocalFactorials, F::exponential_terms>(r);
+      const double limit             = (F::largest_exponent - 1.) * (ln2_high + ln2_low);
+      const L      x                 = -at_least(L(-limit), -at_least(L(-limit), argument));
+      const L      shifted           = x * 1.4426950408889634 + F::to_integer;
+      const L      k                 = shifted - F::to_integer;
+      const L      r                 = (x - k * ln2_high) - k * ln2_low;
+      const L      series            = polynomial<ReciprocalFactorials, F::exponential_terms>(r);
       typename L::BitVector exponent = reinterpret_cast<typename L::BitVector>(shifted.v) << F::mantissa;
       exponent += static_cast<typename L::Bits>(F::bias) << F::mantissa;
       return {L(reinterpret_cast<typename L::Vector>(exponent)), series * r};

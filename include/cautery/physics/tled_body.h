@@ -22,6 +22,14 @@ namespace Cautery
   public:
     using Records = typename TledNodes<Number>::Records;
 
+    /** Fibres without resistance to compression: as their law says, or as if they were taut at any stretch.
+     */
+    enum class SlackFibres
+    {
+      as_they_are,
+      as_if_taut
+    };
+
     /** What a sweep over the cells finds. */
     enum class Part
     {
@@ -40,7 +48,10 @@ namespace Cautery
      * Adds forces (N) and heat flow (W) of the cells of this process to @p forces, also for nodes of other
      * processes. False where one of its cells is turned inside out.
      */
-    bool add_forces(const Part part, const Records &values, Records &forces);
+    bool add_forces(const Part        part,
+                    const Records    &values,
+                    Records          &forces,
+                    const SlackFibres slack = SlackFibres::as_they_are);
 
     /** The worst cell of all processes for these @p values; slow, for the message. Collective. */
     std::optional<InvertedCell> inverted(const Records &values) const;
@@ -51,6 +62,9 @@ namespace Cautery
     /** The cells' resistance to their corners' motion, in the mean of all directions, N/m: masses like these
      * make all cells vibrate about equally fast. */
     std::vector<double> stiffnesses() const;
+
+    /** Whether fibres of some tissue bear tension only. */
+    bool fibres_buckle() const;
 
     double reference_temperature() const { return zero_temperature; } ///< K
 
@@ -80,7 +94,7 @@ namespace Cautery
       unsigned int                                      tissue;     ///< its index
       std::unique_ptr<Pack<4>>                          tetrahedra; ///< one of the two
       std::unique_ptr<Pack<8>>                          hexahedra;
-      std::vector<Fibres>                               fibres;
+      std::vector<Fibres>                               fibres, taut_fibres;
       std::unique_ptr<Pressures>                        averaged;
       CellSweep<Number>                                 cells;
       std::array<typename TledKernel<Number>::Sweep, 3> sweeps; ///< by Part

@@ -59,10 +59,14 @@ namespace Cautery
     void set_heat_step(const double duration);
     void write(State &state) const;
 
-    double limit(const double given, const double stable, const std::string &entry, const double time) const;
-    void   renew_limit(const double time);
-    void   renew_limit_in_time(const double time);
-    void   check_healthy(const bool healthy, const double time) const;
+    double       limit(const double       given,
+                       const double       stable,
+                       const double       share,
+                       const std::string &entry,
+                       const double       time) const;
+    void         renew_limit(const double time);
+    void         renew_limit_in_time(const double time);
+    void         check_healthy(const bool healthy, const double time) const;
     unsigned int n_parts(const double length, const double longest) const;
 
     const Scene            &scene;
