@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <iomanip>
 
 namespace Cautery
 {
@@ -40,7 +41,6 @@ namespace Cautery
     if (probes.empty() || Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
       return;
     file.open(file_name);
-    file.precision(12);
     AssertThrow(file, ExcRun("cannot write " + file_name));
   }
 
@@ -96,8 +96,8 @@ namespace Cautery
     for (unsigned int p = 0; p < probes.size(); ++p)
       {
         const auto &place = probes[p].place;
-        file << snapshot.state.time << ',' << probes[p].name << ',' << place[0] << ',' << place[1] << ','
-             << place[2];
+        file << std::setprecision(12) << snapshot.state.time << ',' << probes[p].name << ',' << place[0]
+             << ',' << place[1] << ',' << place[2] << std::setprecision(15);
         for (unsigned int c = 0; c < columns.size(); ++c)
           file << ',' << values[p * columns.size() + c];
         if (has_damage)

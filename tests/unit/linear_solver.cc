@@ -2,6 +2,7 @@
 // All ways of solving agree, on matrices like those of heat and of elasticity, and what has been solved
 // before costs nothing. The output is the same on any number of processes.
 #include <cautery/solve/linear_solver.h>
+#include <cautery/solve/projected_guess.h>
 
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/mpi.h>
@@ -189,6 +190,43 @@ namespace Cautery::Test
         << ", solved to 1e-8: " << (residual.l2_norm() < 1e-8 * b.l2_norm() ? "yes" : "no") << std::endl;
   }
 
+  /**
+   * A body in free fall: right-hand sides along one vector but for rounding, so that corrections are nothing
+   * but rounding, and their images are not quite theirs.
+   */
+  void guess_learns_nothing_from_rounding(const Lattice &lattice)
+  {
+    SparseMatrix matrix;
+    lattice.fill(matrix);
+    const Vector solution = lattice.vector([](const double i) { return 1. + 1e-3 * std::sin(i); });
+    Vector       force    = solution;
+    matrix.vmult(force, solution);
+    LinearSolverSettings settings;
+    settings.method = Method::direct;
+    auto exact      = solver(lattice, settings);
+    exact.set_matrix(matrix);
+
+    ProjectedGuess guess(16);
+    double         worst = 0.;
+    for (unsigned int k = 0; k < 200; ++k)
+      {
+        Vector residual = lattice.vector([k](const double i) { return 1e-16 * std::sin(0.7 * i + k); });
+        residual *= force.linfty_norm();
+        residual += force;
+        Vector x = solution, correction = solution, image = solution;
+        guess.apply(x, residual);
+        exact.solve(correction, residual, 1e-12);
+        matrix.vmult(image, correction);
+        image.add(1e-16 * force.linfty_norm(),
+                  lattice.vector([k](const double i) { return std::cos(i * k); }));
+        x += correction;
+        guess.learn(correction, image);
+        x -= solution;
+        worst = std::max(worst, x.linfty_norm());
+      }
+    out << "a guess from rounding stays right to 1e-10: " << (worst < 1e-10 ? "yes" : "no") << std::endl;
+  }
+
   template <typename Work>
   void refuses(const std::string &what, const Work &work)
   {
@@ -248,6 +286,7 @@ int main(int argc, char **argv)
   methods_agree("elastic", elastic);
   what_is_known_is_free(heat);
   what_is_known_is_free(elastic);
+  guess_learns_nothing_from_rounding(elastic);
   automatic_goes_over_to_multigrid(elastic);
   failures(elastic);
 }

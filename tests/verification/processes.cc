@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Run on three processes: each scene on one, two and all of them. The probes must agree to 1e-9 of the
-// largest value of their column.
+// largest value of their column, those of explicit steps to 1e-12.
 #include "chain.h"
 
 namespace
 {
   using namespace Verification;
 
-  const std::vector<std::pair<std::string, std::vector<Override>>> cases = {
+  struct Case
+  {
+    std::string           scene;
+    std::vector<Override> overrides;
+    double                tolerance = 1e-9;
+  };
+
+  /// Without any equation to solve, only the order of sums differs.
+  constexpr double explicit_steps = 1e-12;
+
+  const std::vector<Case> cases = {
     {"balance", {}},
     {"balance", {{"Mesh/Cells", "hexahedra"}, {"Numerics/Element degree", "2"}}},
     {"balance", {{"Effects/Heat", "non-Fourier"}}},
@@ -58,13 +68,15 @@ namespace
       {"Tools/grip/Centre", "1, 1, 1"},
       {"Tools/grip/Radius", "0.4"},
       {"Tools/grip/Displacement", "0; 0.2*sin(3*t); 0.1*t"},
-      {"Output/Interval", "0.25"}}},
+      {"Output/Interval", "0.25"}},
+     explicit_steps},
     {"balance",
      {{"Time/Integrator", "explicit"},
       {"Effects/Heat", "non-Fourier"},
       {"Effects/Deformation", "explicit dynamics"},
       {"Effects/Coupling", "expansion"},
-      {"Tissues/tissue/Young's modulus", "1000"}}},
+      {"Tissues/tissue/Young's modulus", "1000"}},
+     explicit_steps},
     {"balance",
      {{"Time/Integrator", "IDA"},
       {"Time/End", "3"}, // before IDA starts anew, which it does a little differently each time
@@ -126,7 +138,7 @@ int main(int argc, char **argv)
   Checks                           checks;
   try
     {
-      for (const auto &[scene, overrides] : cases)
+      for (const auto &[scene, overrides, tolerance] : cases)
         {
           const Outcome one = on(1, scene, overrides);
           for (const int n : {2, 3})
@@ -139,7 +151,7 @@ int main(int argc, char **argv)
                 checks.below("1 against " + std::to_string(n) + " processes: " + label(scene, overrides),
                              one.probes.empty() ? std::numeric_limits<double>::infinity() :
                                                   difference(one, other),
-                             1e-9);
+                             tolerance);
             }
         }
     }

@@ -163,8 +163,8 @@ namespace Cautery
           const L change  = group.volume() * 0.25 * (k.volume_change - thermal);
           *reinterpret_cast<typename L::Vector *>(changes) = change.v;
           prefetch<10 * width>(constants + groups_ahead * n_rows * width);
-          healthy                                          = healthy & (k.jacobian.v > L(0.).v);
-          last_offsets                                     = offsets;
+          healthy      = healthy & (k.jacobian.v > L(0.).v);
+          last_offsets = offsets;
         }
       add_changes();
       return all(healthy);
