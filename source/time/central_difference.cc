@@ -13,9 +13,6 @@ namespace Cautery
     constexpr unsigned int dim = 3;
     /// Lengths of steps that differ by less, relative, differ by rounding.
     constexpr double same_length = 1e-9;
-    /// Steps of motion after which the stable step is found anew; finding it costs some 25 of them.
-    constexpr unsigned int first_renewal = 100;
-    constexpr unsigned int last_renewal  = 800;
   } // namespace
 
   template <typename Number>
@@ -34,14 +31,13 @@ namespace Cautery
     , motion(motion)
     , heat(heat)
     , cost(cost)
-    , renewal(first_renewal)
   {
     for (Records *records : {&values, &rates, &forces, &loads})
       *records = nodes.zero();
     if (motion != nullptr)
       {
         motion->fill_loads(loads);
-        motion_limit = std::make_unique<CriticalStep<Number>>(body, nodes, Part::motion, motion->masses());
+        motion_limit = std::make_unique<MotionLimit<Number>>(settings, body, nodes, motion->masses());
         drift_keep   = nodes.zero();
         drift_gain   = nodes.zero();
         // the temperature goes on as it does
@@ -64,62 +60,24 @@ namespace Cautery
       {
         heat->start(state);
         CriticalStep<Number> heat_limit(body, nodes, Part::heat, heat->capacities());
-        longest_heat = limit(settings.heat_step,
-                             heat->stable_step(heat_limit.largest_eigenvalue(values)),
-                             settings.safety,
-                             "Heat step",
-                             state.time);
+        longest_heat = longest_step(settings,
+                                    settings.heat_step,
+                                    heat->stable_step(heat_limit.largest_eigenvalue(values)),
+                                    settings.safety,
+                                    "Heat step",
+                                    state.time);
       }
     if (motion != nullptr)
-      renew_limit(state.time);
+      motion_limit->find(values, state.time);
   }
 
   template <typename Number>
   void CentralDifference<Number>::renew_limit_in_time(const double time)
   {
-    if (n_motion_steps < next_renewal)
+    if (motion_limit->steps_left() > 0)
       return;
     const auto scope = cost.measure("deformation: stable step");
-    renew_limit(time);
-  }
-
-  /** The longest step that is to be taken: what the scene gives (0: nothing), or the @p share of what is @p
-   * stable; all in s. */
-  template <typename Number>
-  double CentralDifference<Number>::limit(const double       given,
-                                          const double       stable,
-                                          const double       share,
-                                          const std::string &entry,
-                                          const double       time) const
-  {
-    if (given == 0.)
-      return share * stable;
-    if (given <= stable || settings.unstable_steps)
-      return given;
-    const std::string message =
-      "Numerics/Explicit/" + entry + " = " + to_text(given) + " s is longer than the " + to_text(stable) +
-      " s that are known to be stable at t = " + to_text(time) +
-      " s; take at most that, or 0 for the program's choice" + ", or set Unstable steps = on";
-    AssertThrow(time > 0., ExcInput(message));
-    AssertThrow(false, ExcRun(message));
-    return given;
-  }
-
-  template <typename Number>
-  void CentralDifference<Number>::renew_limit(const double time)
-  {
-    const double before = longest_motion;
-    longest_motion      = limit(settings.motion_step,
-                           2. / std::sqrt(motion_limit->largest_eigenvalue(values)),
-                           std::min(settings.safety, motion_limit->steady_share()),
-                           "Motion step",
-                           time);
-    // seldom where it hardly changes
-    if (std::abs(longest_motion - before) < 0.01 * before)
-      renewal = std::min(2 * renewal, last_renewal);
-    else
-      renewal = std::max(renewal / 2, first_renewal);
-    next_renewal = n_motion_steps + renewal;
+    motion_limit->find(values, time);
   }
 
   template <typename Number>
@@ -174,7 +132,7 @@ namespace Cautery
     };
     for (unsigned int i = 0; i < n;)
       {
-        if (motion == nullptr || n_parts(whole.length() / n, longest_motion) > 1)
+        if (motion == nullptr || n_parts(whole.length() / n, motion_limit->longest()) > 1)
           {
             advance(part(i++));
             continue;
@@ -187,7 +145,7 @@ namespace Cautery
             begin_heat_step(part(i));
             move_once(part(i++), Part::both);
           }
-        while (i < n && n_motion_steps < next_renewal);
+        while (i < n && motion_limit->steps_left() > 0);
       }
   }
 
@@ -229,11 +187,11 @@ namespace Cautery
     while (time < step.to)
       {
         renew_limit_in_time(time);
-        const bool   go_on   = last_motion_step <= longest_motion && last_motion_step > 0.9 * longest_motion;
-        const double longest = go_on ? last_motion_step : longest_motion;
+        const double longest = motion_limit->longest();
+        const bool   go_on   = last_motion_step <= longest && last_motion_step > 0.9 * longest;
         const Step   rest    = {time, step.to};
-        const auto   n       = n_parts(rest.length(), longest);
-        const auto   n_now   = std::min<unsigned int>(n, next_renewal - n_motion_steps);
+        const auto   n       = n_parts(rest.length(), go_on ? last_motion_step : longest);
+        const auto   n_now   = std::min<std::uint64_t>(n, motion_limit->steps_left());
         const auto   scope   = cost.measure("deformation: explicit steps");
         for (unsigned int i = 0; i < n_now; ++i)
           {
@@ -263,7 +221,7 @@ namespace Cautery
     if (both)
       heat->record(step.length(), values, rates);
     last_motion_step = step.length();
-    ++n_motion_steps;
+    motion_limit->count_step();
   }
 
   template <typename Number>
@@ -272,16 +230,8 @@ namespace Cautery
                                             const Records &keep_share,
                                             const Records &gain_share)
   {
-    NodeStep<Number> step;
-    step.n_nodes  = nodes.n_own();
-    step.values   = values.data();
-    step.rates    = rates.data();
-    step.forces   = forces.data();
-    step.loads    = loads.data();
-    step.keep     = keep_share.data();
-    step.gain     = gain_share.data();
+    auto step     = node_step(nodes.n_own(), values, rates, forces, loads, keep_share, gain_share, duration);
     step.exchange = part == Part::motion ? nullptr : exchange.data();
-    step.duration = duration;
     step.motion   = part != Part::heat;
     body.kernel().step(step);
   }
@@ -354,8 +304,8 @@ namespace Cautery
     std::map<std::string, double> result;
     if (motion != nullptr)
       {
-        result["motion_steps"]         = n_motion_steps;
-        result["stable_motion_step_s"] = longest_motion;
+        result["motion_steps"]         = motion_limit->steps_taken();
+        result["stable_motion_step_s"] = motion_limit->longest();
         result["kinetic_energy_J"]     = motion->kinetic_energy(rates);
       }
     if (heat != nullptr)

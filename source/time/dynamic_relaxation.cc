@@ -165,16 +165,7 @@ namespace Cautery
 
   void DynamicRelaxation::take_step()
   {
-    NodeStep<double> step;
-    step.n_nodes  = nodes.n_own();
-    step.values   = values.data();
-    step.rates    = rates.data();
-    step.forces   = forces.data();
-    step.loads    = loads.data();
-    step.keep     = keep.data();
-    step.gain     = gain.data();
-    step.duration = duration;
-    body.kernel().step(step);
+    body.kernel().step(node_step(nodes.n_own(), values, rates, forces, loads, keep, gain, duration));
     nodes.update(values);
     ++n_steps;
   }

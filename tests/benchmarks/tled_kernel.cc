@@ -107,15 +107,7 @@ namespace Cautery::Benchmark
                                               pressures.data(),
                                               choice.stretch,
                                               sweep.material};
-      NodeStep<Number>            step;
-      step.n_nodes  = mesh.nodes.size();
-      step.values   = values.data();
-      step.rates    = rates.data();
-      step.forces   = forces.data();
-      step.loads    = loads.data();
-      step.keep     = keep.data();
-      step.gain     = gain.data();
-      step.duration = duration;
+      const auto step = node_step(mesh.nodes.size(), values, rates, forces, loads, keep, gain, duration);
 
       const auto   add_volumes = kernel.find_volumes(choice);
       const auto   add_forces  = kernel.find(choice);

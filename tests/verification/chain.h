@@ -131,6 +131,25 @@ namespace Verification
     unsigned int n_wrong  = 0;
   };
 
+  /** The main program of a test of several @p groups: runs the one that is named; 0 if all is right in it. */
+  inline int
+  run_group(int argc, char **argv, const std::map<std::string, std::function<void(Checks &)>> &groups)
+  {
+    deal_II_exceptions::suppress_stacktrace_in_exceptions();
+    Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    Checks                           checks;
+    try
+      {
+        groups.at(argc > 1 ? argv[1] : "")(checks);
+      }
+    catch (const std::exception &exception)
+      {
+        std::cerr << exception.what() << std::endl;
+        return 2;
+      }
+    return checks.all_right() ? 0 : 1;
+  }
+
   /// Each group: exact_*.cc.
   void heat(Checks &checks);
   void waves(Checks &checks);

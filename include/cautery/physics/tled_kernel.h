@@ -155,6 +155,30 @@ namespace Cautery
     bool          heat     = true;    ///< else temperature, its rate and its flow are left alone
   };
 
+  /** A step of @p n_nodes nodes over @p duration (s), without exchange; the records must live as long as it.
+   */
+  template <typename Records>
+  NodeStep<typename Records::value_type> node_step(const std::size_t n_nodes,
+                                                   Records          &values,
+                                                   Records          &rates,
+                                                   Records          &forces,
+                                                   const Records    &loads,
+                                                   const Records    &keep,
+                                                   const Records    &gain,
+                                                   const double      duration)
+  {
+    NodeStep<typename Records::value_type> step;
+    step.n_nodes  = n_nodes;
+    step.values   = values.data();
+    step.rates    = rates.data();
+    step.forces   = forces.data();
+    step.loads    = loads.data();
+    step.keep     = keep.data();
+    step.gain     = gain.data();
+    step.duration = duration;
+    return step;
+  }
+
   /**
    * The loops in one instruction set. Pick once, call often.
    */

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cautery/base/cost.h>
-#include <cautery/physics/critical_step.h>
 #include <cautery/physics/explicit_heat.h>
 #include <cautery/physics/explicit_motion.h>
 #include <cautery/time/integrator.h>
+#include <cautery/time/motion_limit.h>
 
-#include <limits>
+#include <memory>
 
 namespace Cautery
 {
@@ -59,12 +59,6 @@ namespace Cautery
     void set_heat_step(const double duration);
     void write(State &state) const;
 
-    double       limit(const double       given,
-                       const double       stable,
-                       const double       share,
-                       const std::string &entry,
-                       const double       time) const;
-    void         renew_limit(const double time);
     void         renew_limit_in_time(const double time);
     void         check_healthy(const bool healthy, const double time) const;
     unsigned int n_parts(const double length, const double longest) const;
@@ -78,7 +72,7 @@ namespace Cautery
     ExplicitHeat<Number>   *heat;
     Cost                   &cost;
 
-    std::unique_ptr<CriticalStep<Number>> motion_limit;
+    std::unique_ptr<MotionLimit<Number>> motion_limit;
 
     Records values, rates, forces, loads, exchange;
     Records keep, gain;             ///< of a step of both
@@ -87,13 +81,8 @@ namespace Cautery
     double last_motion_step = 0.; ///< s
     double motion_mean      = 0.; ///< the duration that the coefficients are for, s
     double heat_duration    = 0.;
-    double longest_motion   = std::numeric_limits<double>::max(); ///< s
     double longest_heat     = std::numeric_limits<double>::max(); ///< s
 
-    // counts
-    std::uint64_t n_motion_steps = 0;
-    std::uint64_t n_heat_steps   = 0;
-    unsigned int  renewal;          ///< steps of motion between two looks at their limit
-    std::uint64_t next_renewal = 0; ///< n_motion_steps at the next
+    std::uint64_t n_heat_steps = 0;
   };
 } // namespace Cautery

@@ -57,16 +57,8 @@ namespace Cautery::Test
       values[0]   = 1.;
       values[3]   = 10.;
 
-      NodeStep<Number> step;
-      step.n_nodes  = 1;
-      step.values   = values.data();
-      step.rates    = rates.data();
-      step.forces   = forces.data();
-      step.loads    = loads.data();
-      step.keep     = keep.data();
-      step.gain     = gain.data();
+      auto step     = node_step(1, values, rates, forces, loads, keep, gain, dt);
       step.exchange = exchange.data();
-      step.duration = dt;
       step.motion   = motion;
       step.heat     = heat;
 
