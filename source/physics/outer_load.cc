@@ -158,7 +158,7 @@ namespace Cautery
   template <int dim>
   void OuterLoad<dim>::at(const double time, Vector &force) const
   {
-    force = constant;
+    force.equ(1., constant); // an assignment may count as an insertion, after which nothing can be added
     for_each_changing(time, [&force](const types::global_dof_index unknown, const Tensor<1, 3> &value) {
       for (unsigned int c = 0; c < dim; ++c)
         force(unknown + c) += value[c];
