@@ -5,13 +5,16 @@ namespace Cautery
 {
   void LinearSolverSettings::parameters(Parameters &p)
   {
-    p.entry("Method",
-            method,
-            Choices<Method>{{"automatic", Method::automatic},
-                            {"direct", Method::direct},
-                            {"CG + SSOR", Method::cg_ssor},
-                            {"CG + AMG", Method::cg_amg}},
-            "How the linear systems are solved; automatic: by size");
+    p.entry(
+      "Method",
+      method,
+      Choices<Method>{{"automatic", Method::automatic},
+                      {"direct", Method::direct},
+                      {"CG + SSOR", Method::cg_ssor},
+                      {"CG + AMG", Method::cg_amg},
+                      {"Gauss-Seidel", Method::gauss_seidel}},
+      "How the linear systems are solved; automatic: by size. Gauss-Seidel is the thesis's, its margin of "
+      "error is Tolerance: next to always the slowest");
     p.entry(
       "Tolerance",
       tolerance,
@@ -31,6 +34,11 @@ namespace Cautery
 
   void Numerics::parameters(Parameters &p)
   {
+    p.entry("Method",
+            method,
+            Choices<Method>{{"finite elements", Method::finite_elements},
+                            {"finite differences", Method::finite_differences}},
+            "Finite differences, on the grid of a box of hexahedra, couple fewer nodes");
     p.entry("Element degree", degree, "Polynomial degree of the finite elements", Bounds::between(1, 2));
     p.entry(
       "Capacity matrix",

@@ -248,6 +248,22 @@ namespace Cautery
                 "; take a larger interval");
     }
 
+    void check_finite_differences(const Scene &scene)
+    {
+      if (scene.numerics.method != Numerics::Method::finite_differences)
+        return;
+      const std::string name = "Numerics/Method = finite differences";
+      require(
+        scene.mesh.shape == MeshSettings::Shape::box && scene.mesh.cells == MeshSettings::Cells::hexahedra,
+        name + " needs a grid along the axes; set Mesh/Shape = box and Mesh/Cells = hexahedra, or choose "
+               "finite elements");
+      require(scene.numerics.degree == 1,
+              name + " knows the corners of cells only; set Numerics/Element degree = 1");
+      require(!scene.effects.has_large_deformation() && !scene.has_explicit_loop(),
+              name + " knows small deformation and implicit steps only; choose finite elements, or "
+                     "Effects/Deformation = equilibrium and Time/Integrator = backward Euler");
+    }
+
     void check_explicit(const Scene &scene)
     {
       require(
@@ -307,6 +323,7 @@ namespace Cautery
       check_boundaries(scene);
       check_properties(scene);
       check_numerics(scene);
+      check_finite_differences(scene);
       check_explicit(scene);
       check_in_plane(scene);
       for (const double time : scene.output.times)

@@ -3,6 +3,7 @@
 #include <cautery/solve/ssor_cg.h>
 
 #include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_richardson.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 
@@ -33,15 +34,16 @@ namespace Cautery
     }
   } // namespace
 
-  /// A factorisation, or a preconditioner for conjugate gradients.
+  /// A factorisation, or what iterations are made of.
   struct LinearSolver::Engine
   {
-    Method                                              method;
-    SolverControl                                       control;
-    std::unique_ptr<TrilinosWrappers::SolverDirect>     factorisation;
-    std::unique_ptr<SsorCG>                             ssor;
-    std::unique_ptr<TrilinosWrappers::PreconditionBase> multigrid;
-    std::vector<double> mode_values; ///< of multigrid, which keeps a pointer to them
+    Method                                          method;
+    SolverControl                                   control;
+    std::unique_ptr<TrilinosWrappers::SolverDirect> factorisation;
+    std::unique_ptr<SsorCG>                         ssor;
+    std::unique_ptr<TrilinosWrappers::PreconditionBase>
+                        preconditioner; ///< multigrid, or a sweep of Gauss-Seidel
+    std::vector<double> mode_values;    ///< of multigrid, which keeps a pointer to them
   };
 
   LinearSolver::LinearSolver(const LinearSolverSettings &settings,
@@ -68,9 +70,17 @@ namespace Cautery
 
   std::string LinearSolver::description() const
   {
-    if (engine->method == Method::direct)
-      return "direct";
-    return engine->method == Method::cg_amg ? "CG + AMG" : "CG + SSOR";
+    switch (engine->method)
+      {
+      case Method::direct:
+        return "direct";
+      case Method::cg_amg:
+        return "CG + AMG";
+      case Method::gauss_seidel:
+        return "Gauss-Seidel";
+      default:
+        return "CG + SSOR";
+      }
   }
 
   namespace
@@ -116,6 +126,14 @@ namespace Cautery
       amg->initialize(matrix, list);
       return amg;
     }
+
+    /// The lower triangle of the process's own block: other processes' unknowns count as they were (Jacobi).
+    std::unique_ptr<TrilinosWrappers::PreconditionBase> make_sweep(const SparseMatrix &matrix)
+    {
+      auto sweep = std::make_unique<TrilinosWrappers::PreconditionSOR>();
+      sweep->initialize(matrix);
+      return sweep;
+    }
   } // namespace
 
   void LinearSolver::set_up(const Method method)
@@ -125,7 +143,9 @@ namespace Cautery
     if (engine->method == Method::direct)
       engine->factorisation = factorise(*matrix, engine->control);
     else if (engine->method == Method::cg_amg)
-      engine->multigrid = make_multigrid(*matrix, n_components, near_null_space(), engine->mode_values);
+      engine->preconditioner = make_multigrid(*matrix, n_components, near_null_space(), engine->mode_values);
+    else if (engine->method == Method::gauss_seidel)
+      engine->preconditioner = make_sweep(*matrix);
     else
       engine->ssor = SsorCG::make(*matrix, n_components);
   }
@@ -190,13 +210,16 @@ namespace Cautery
     unsigned int iterations = 1;
     if (engine->ssor)
       iterations = engine->ssor->solve(correction, residual, reduction, settings.max_iterations);
-    else if (engine->multigrid)
+    else if (engine->preconditioner)
       {
         SolverControl control(settings.max_iterations, reduction * residual.l2_norm());
         correction = 0.;
         try
           {
-            SolverCG<Vector>(control).solve(*matrix, correction, residual, *engine->multigrid);
+            if (engine->method == Method::gauss_seidel)
+              SolverRichardson<Vector>(control).solve(*matrix, correction, residual, *engine->preconditioner);
+            else
+              SolverCG<Vector>(control).solve(*matrix, correction, residual, *engine->preconditioner);
             iterations = control.last_step();
           }
         catch (const SolverControl::NoConvergence &)

@@ -27,8 +27,10 @@ namespace Cautery
     }
 
     template <int dim>
-    Quadrature<dim> gauss(const Mesh<dim> &mesh, const unsigned int degree)
+    Quadrature<dim> cell_rule(const Mesh<dim> &mesh, const unsigned int degree, const Numerics::Method method)
     {
+      if (method == Numerics::Method::finite_differences)
+        return QTrapezoid<dim>();
       // n points integrate polynomials of degree 2n-1, so n = degree+1 does for products; QGaussSimplex ends
       // at n = 4
       if (mesh.simplices())
@@ -37,8 +39,11 @@ namespace Cautery
     }
 
     template <int dim>
-    Quadrature<dim - 1> face_gauss(const Mesh<dim> &mesh, const unsigned int degree)
+    Quadrature<dim - 1>
+    face_rule(const Mesh<dim> &mesh, const unsigned int degree, const Numerics::Method method)
     {
+      if (method == Numerics::Method::finite_differences)
+        return QTrapezoid<dim - 1>();
       if (mesh.simplices() && dim == 3)
         return QGaussSimplex<dim - 1>(degree + 1);
       return QGauss<dim - 1>(degree + 1);
@@ -46,8 +51,11 @@ namespace Cautery
   } // namespace
 
   template <int dim>
-  Field<dim>::Field(const Mesh<dim> &mesh, const unsigned int degree) : body(mesh), dofs(mesh.triangulation())
+  Field<dim>::Field(const Mesh<dim> &mesh, const unsigned int degree, const Numerics::Method method)
+    : body(mesh), numerical_method(method), dofs(mesh.triangulation())
   {
+    Assert(method == Numerics::Method::finite_elements || (degree == 1 && !mesh.simplices()),
+           ExcInternalError());
     dofs.distribute_dofs(*scalar_element(mesh, degree));
     DoFRenumbering::Cuthill_McKee(dofs, true);
     finish(degree);
@@ -55,7 +63,7 @@ namespace Cautery
 
   template <int dim>
   Field<dim>::Field(const Field<dim> &scalar, const unsigned int n_components)
-    : body(scalar.mesh()), dofs(body.triangulation())
+    : body(scalar.mesh()), numerical_method(scalar.method()), dofs(body.triangulation())
   {
     dofs.distribute_dofs(FESystem<dim>(scalar.element(), n_components));
     follow(scalar.dof_handler());
@@ -66,8 +74,8 @@ namespace Cautery
   void Field<dim>::finish(const unsigned int degree)
   {
     DoFTools::extract_locally_relevant_dofs(dofs, locally_relevant);
-    inside = gauss(body, degree);
-    faces  = face_gauss(body, degree);
+    inside = cell_rule(body, degree, numerical_method);
+    faces  = face_rule(body, degree, numerical_method);
     find_face_shapes();
   }
 
@@ -132,31 +140,71 @@ namespace Cautery
     return result;
   }
 
+  /// Which shape functions of a cell (rows) meet which of @p columns in a matrix; empty: all do.
+  template <int dim>
+  Table<2, bool> Field<dim>::couplings(const Field<dim> &columns) const
+  {
+    if (numerical_method == Numerics::Method::finite_elements)
+      return {};
+    // By the trapezoidal rule nodes meet at corners: a value reaches its own, a derivative the next along an
+    // edge. Two derivatives along the same direction meet on an edge, along two directions on a face.
+    const bool vectors = n_components() > 1 && columns.n_components() > 1;
+    const auto nodes   = [](const Field<dim> &field, const unsigned int i) {
+      return field.element().unit_support_point(i);
+    };
+    Table<2, bool> result(element().n_dofs_per_cell(), columns.element().n_dofs_per_cell());
+    for (unsigned int i = 0; i < result.size(0); ++i)
+      for (unsigned int j = 0; j < result.size(1); ++j)
+        {
+          const unsigned int edges_between =
+            std::lround((nodes(*this, i) - nodes(columns, j)).norm_square()); // in the unit cell
+          result(i, j) = edges_between <= (vectors ? 2 : 1);
+        }
+    return result;
+  }
+
+  namespace
+  {
+    /// AffineConstraints knows no mask for rows and columns of different fields.
+    void add_entries(const std::vector<types::global_dof_index> &rows,
+                     const std::vector<types::global_dof_index> &columns,
+                     const Table<2, bool>                       &mask,
+                     DynamicSparsityPattern                     &pattern)
+    {
+      std::vector<types::global_dof_index> entries;
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        {
+          entries.clear();
+          for (unsigned int j = 0; j < columns.size(); ++j)
+            if (mask.empty() || mask(i, j))
+              entries.push_back(columns[j]);
+          pattern.add_entries(rows[i], entries.begin(), entries.end());
+        }
+    }
+  } // namespace
+
   template <int dim>
   void Field<dim>::initialize_matrix(SparseMatrix                    &matrix,
                                      const Field<dim>                &columns,
                                      const AffineConstraints<double> *constraints) const
   {
-    DynamicSparsityPattern pattern(n_unknowns(), columns.n_unknowns(), relevant());
-    if (constraints != nullptr)
-      DoFTools::make_sparsity_pattern(dofs, pattern, *constraints, false);
-    else
+    const Table<2, bool>                 mask = couplings(columns);
+    DynamicSparsityPattern               pattern(n_unknowns(), columns.n_unknowns(), relevant());
+    std::vector<types::global_dof_index> row_dofs(element().n_dofs_per_cell());
+    std::vector<types::global_dof_index> column_dofs(columns.element().n_dofs_per_cell());
+    auto                                 column_cell = columns.dof_handler().begin_active();
+    for (const auto &cell : dofs.active_cell_iterators())
       {
-        std::vector<types::global_dof_index> row_dofs(element().n_dofs_per_cell());
-        std::vector<types::global_dof_index> column_dofs(columns.element().n_dofs_per_cell());
-        auto                                 column_cell = columns.dof_handler().begin_active();
-        for (const auto &cell : dofs.active_cell_iterators())
+        if (cell->is_locally_owned())
           {
-            if (cell->is_locally_owned())
-              {
-                cell->get_dof_indices(row_dofs);
-                column_cell->get_dof_indices(column_dofs);
-                std::sort(column_dofs.begin(), column_dofs.end());
-                for (const auto row : row_dofs)
-                  pattern.add_entries(row, column_dofs.begin(), column_dofs.end(), true);
-              }
-            ++column_cell;
+            cell->get_dof_indices(row_dofs);
+            column_cell->get_dof_indices(column_dofs);
+            if (constraints != nullptr)
+              constraints->add_entries_local_to_global(row_dofs, pattern, false, mask);
+            else
+              add_entries(row_dofs, column_dofs, mask, pattern);
           }
+        ++column_cell;
       }
     SparsityTools::distribute_sparsity_pattern(pattern, owned(), communicator(), relevant());
     matrix.reinit(owned(), columns.owned(), pattern, communicator());

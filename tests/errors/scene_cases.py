@@ -2,6 +2,11 @@
 """Values, entries and names that a scene may not have."""
 from case import DEFORMATION, EXPRESSION, NEEDLE, PLACE, SCENE, TABLE, TISSUE, Case, value
 
+DIFFERENCES = "Numerics/Method = finite differences"
+GRID = "set Mesh/Shape = box and Mesh/Cells = hexahedra, or choose finite elements"
+SMALL = ("knows small deformation and implicit steps only; choose finite elements, or Effects/Deformation = equilibrium "
+         "and Time/Integrator = backward Euler")
+
 VALUES = [
     value("Dimension", "4", "it must be >= 2 and <= 3"),
     value(f"{TISSUE}/Density", "-1000", "it must be > 0"),
@@ -33,6 +38,18 @@ VALUES = [
     value("Mesh/Refinements", "9", "it must be >= 0 and <= 8"),
     value("Mesh/Shape", "sphere", "choose one of: box, file"),
     value("Numerics/Element degree", "3", "it must be >= 1 and <= 2"),
+    value("Numerics/Method", "volumes", "choose one of: finite elements, finite differences"),
+    Case("finite differences on tetrahedra", f"scene.prm: {DIFFERENCES} needs a grid along the axes; {GRID}",
+         ["Numerics/Method=finite differences", "Mesh/Cells=tetrahedra"]),
+    Case("finite differences on a file", f"scene.prm: {DIFFERENCES} needs a grid along the axes; {GRID}",
+         ["Numerics/Method=finite differences", "Mesh/Shape=file", "Mesh/File name=grid.msh"]),
+    Case("quadratic finite differences",
+         f"scene.prm: {DIFFERENCES} knows the corners of cells only; set Numerics/Element degree = 1",
+         ["Numerics/Method=finite differences", "Numerics/Element degree=2"]),
+    Case("finite differences in large deformation", f"scene.prm: {DIFFERENCES} {SMALL}",
+         ["Numerics/Method=finite differences", "Effects/Deformation=large equilibrium"]),
+    Case("finite differences in explicit steps", f"scene.prm: {DIFFERENCES} {SMALL}",
+         ["Numerics/Method=finite differences", "Time/Integrator=explicit"]),
     value("Numerics/Heat solver/Tolerance", "1", "it must be > 0 and < 1"),
     value("Output/Fields", "yes", "choose one of: off, on"),
     value(f"{TISSUE}/Density", "nan", "this is not a number"),

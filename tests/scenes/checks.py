@@ -250,6 +250,19 @@ def two_way(outcome):
     hookes_law(outcome)
 
 
+def differences(outcome):
+    conductivity, nu = outcome[TISSUE + "Conductivity"], outcome[TISSUE + "Poisson's ratio"]
+    for row in outcome.rows:
+        if row["time_s"] > 3e6:
+            rise = 500 * row["x_m"] / conductivity
+            near(row["temperature_K"] - 310, rise, 1e-9)
+            stretch = (1 + nu) / (1 - nu) * outcome[TISSUE + "Thermal expansion coefficient"]
+            near(row["displacement_x_m"], stretch * rise * row["x_m"] / 2, 1e-8)
+            for axis in "yz":
+                near(row[f"displacement_{axis}_m"], 0, 0, 1e-15)
+    hookes_law(outcome)
+
+
 def damage_constants(outcome):
     constants = {"thesis": (1.98e106, 667000), "retina": (1e44, 2.9e5), "skin": (3.1e98, 6.3e5), "liver": (1e70, 4e5),
                  "own": (1e90, 5.5e5)}

@@ -130,7 +130,7 @@ namespace Cautery::Test
     const Vector exact = lattice.vector([](const double i) { return std::sin(0.3 * i) + 1e-3 * i; });
     Vector       b     = exact;
     matrix.vmult(b, exact);
-    for (const auto method : {Method::direct, Method::cg_ssor, Method::cg_amg})
+    for (const auto method : {Method::direct, Method::cg_ssor, Method::cg_amg, Method::gauss_seidel})
       {
         LinearSolverSettings settings;
         settings.method = method;
@@ -247,7 +247,7 @@ namespace Cautery::Test
     SparseMatrix matrix;
     lattice.fill(matrix);
     Vector x = lattice.vector([](const double) { return 1.; });
-    for (const auto method : {Method::cg_ssor, Method::cg_amg})
+    for (const auto method : {Method::cg_ssor, Method::cg_amg, Method::gauss_seidel})
       {
         LinearSolverSettings settings;
         settings.method         = method;

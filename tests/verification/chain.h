@@ -157,4 +157,5 @@ namespace Verification
   void deformation(Checks &checks);
   void motion(Checks &checks);
   void balance(Checks &checks);
+  void stencils(Checks &checks);
 } // namespace Verification

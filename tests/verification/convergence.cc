@@ -15,10 +15,24 @@ namespace
 {
   using namespace Verification;
 
+  enum class Cells
+  {
+    tetrahedra,
+    hexahedra,
+    grid ///< of finite differences
+  };
+
+  std::string name(const Cells cells)
+  {
+    return cells == Cells::tetrahedra ? "tetrahedra" :
+           cells == Cells::hexahedra  ? "hexahedra" :
+                                        "differences";
+  }
+
   /// The mesh, degree and course of time of one run.
   struct Choice
   {
-    bool         tetrahedra;
+    Cells        kind;
     unsigned int degree;
     unsigned int cells; ///< along an edge
     double       step          = 0.5;
@@ -35,7 +49,9 @@ namespace
   Result solve(const Manufactured &exact, const Choice &choice)
   {
     auto overrides = exact.scene;
-    overrides.push_back({"Mesh/Cells", choice.tetrahedra ? "tetrahedra" : "hexahedra"});
+    overrides.push_back({"Mesh/Cells", choice.kind == Cells::tetrahedra ? "tetrahedra" : "hexahedra"});
+    if (choice.kind == Cells::grid)
+      overrides.push_back({"Numerics/Method", "finite differences"});
     overrides.push_back({"Mesh/Subdivisions", std::to_string(choice.cells)});
     overrides.push_back({"Numerics/Element degree", std::to_string(choice.degree)});
     overrides.push_back({"Time/Step", to_text(choice.step)});
@@ -85,7 +101,7 @@ namespace
                                          Model::two_way_fourier,
                                          Model::two_way_non_fourier};
 
-  bool space_row(const Model model, const bool tetrahedra, const unsigned int degree)
+  bool space_row(const Model model, const Cells cells, const unsigned int degree)
   {
     const std::vector<unsigned int> counts =
       degree == 1 ? std::vector<unsigned int>{4, 7, 12} : std::vector<unsigned int>{2, 4, 6};
@@ -95,11 +111,10 @@ namespace
     for (const unsigned int count : counts)
       {
         sizes.push_back(1. / count);
-        results.push_back(solve(exact, {tetrahedra, degree, count}));
+        results.push_back(solve(exact, {cells, degree, count}));
       }
-    const std::string label = name(model) + " | " + (tetrahedra ? "tetrahedra" : "hexahedra") + " | " +
-                              std::to_string(degree) + " | ";
-    const auto check = [&](const std::string &what, const auto &pick, const double theory) {
+    const std::string label = name(model) + " | " + name(cells) + " | " + std::to_string(degree) + " | ";
+    const auto        check = [&](const std::string &what, const auto &pick, const double theory) {
       std::vector<double> list;
       for (const Result &result : results)
         list.push_back(pick(result));
@@ -129,13 +144,16 @@ namespace
                  "|---|---|---|---|---|---|---|---|---|---|\n";
     bool right = true;
     for (const Model model : all_models)
-      for (const bool tetrahedra : {true, false})
-        for (const unsigned int degree : {1, 2})
-          right &= space_row(model, tetrahedra, degree);
+      {
+        for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra})
+          for (const unsigned int degree : {1, 2})
+            right &= space_row(model, cells, degree);
+        right &= space_row(model, Cells::grid, 1);
+      }
     return right;
   }
 
-  bool backward_euler_rows(const Model model, const bool tetrahedra)
+  bool backward_euler_rows(const Model model, const Cells cells)
   {
     const unsigned int        degree = has_deformation(model) ? 2 : 1;
     const std::vector<double> steps  = {0.04, 0.02, 0.01};
@@ -143,11 +161,11 @@ namespace
     std::vector<double>       temperature, displacement;
     for (const double step : steps)
       {
-        const Result result = solve(exact, {tetrahedra, degree, 2, step, 0.6});
+        const Result result = solve(exact, {cells, degree, 2, step, 0.6});
         temperature.push_back(result.temperature.l2);
         displacement.push_back(result.displacement.l2);
       }
-    const std::string label = name(model) + " | " + (tetrahedra ? "tetrahedra" : "hexahedra") + " | ";
+    const std::string label = name(model) + " | " + name(cells) + " | ";
     bool              right = row(label + "T, L2", temperature, steps, 1.);
     if (has_deformation(model))
       right &= row(label + "u, L2", displacement, steps, 1.);
@@ -168,7 +186,7 @@ namespace
     std::cout << "| " << name(model) << " |" << std::scientific << std::setprecision(2);
     for (const double tolerance : tolerances)
       {
-        found.push_back(solve(exact, {true, 1, 2, 0.5, 0.6, tolerance}).temperature.l2);
+        found.push_back(solve(exact, {Cells::tetrahedra, 1, 2, 0.5, 0.6, tolerance}).temperature.l2);
         std::cout << ' ' << found.back() << " |";
       }
     std::cout << std::fixed << std::setprecision(0);
@@ -190,8 +208,8 @@ namespace
                  "|---|---|---|---|---|---|---|---|---|\n";
     for (const Model model : all_models)
       if (has_heat(model))
-        for (const bool tetrahedra : {true, false})
-          right &= backward_euler_rows(model, tetrahedra);
+        for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra})
+          right &= backward_euler_rows(model, cells);
     std::cout
       << "\n| IDA | error at tolerance 1e-4 | 1e-6 | 1e-8 | ratio | ratio |\n|---|---|---|---|---|---|\n";
     for (const Model model : {Model::fourier, Model::non_fourier})

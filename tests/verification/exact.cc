@@ -12,5 +12,6 @@ int main(int argc, char **argv)
                     {"damage", damage},
                     {"deformation", deformation},
                     {"motion", motion},
-                    {"balance", balance}});
+                    {"balance", balance},
+                    {"stencils", stencils}});
 }

@@ -15,7 +15,7 @@ namespace Cautery
   {
     Body(const Scene &scene, const MPI_Comm communicator)
       : mesh(scene.mesh, communicator)
-      , nodes(mesh, scene.numerics.degree)
+      , nodes(mesh, scene.numerics.degree, scene.numerics.method)
       , tissues(mesh, scene.tissues)
       , boundaries(mesh, scene.boundaries)
       , locator(mesh)

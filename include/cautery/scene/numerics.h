@@ -18,7 +18,8 @@ namespace Cautery
       automatic,
       direct,
       cg_ssor,
-      cg_amg
+      cg_amg,
+      gauss_seidel
     };
 
     Method method    = Method::automatic;
@@ -35,6 +36,11 @@ namespace Cautery
    */
   struct Numerics
   {
+    enum class Method
+    {
+      finite_elements,
+      finite_differences ///< thesis 4.3
+    };
     enum class CapacityMatrix
     {
       consistent,
@@ -52,6 +58,7 @@ namespace Cautery
       output_times
     };
 
+    Method               method              = Method::finite_elements;
     unsigned int         degree              = 1;
     CapacityMatrix       capacity_matrix     = CapacityMatrix::consistent;
     DisplacementAt       displacement_at     = DisplacementAt::automatic;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cautery/base/linear_algebra.h>
+#include <cautery/scene/numerics.h>
 #include <cautery/space/mesh.h>
 
 #include <deal.II/base/quadrature.h>
@@ -15,8 +16,12 @@
 namespace Cautery
 {
   /**
-   * A finite element field on a mesh: Lagrange elements of degree 1 or 2 on simplices or hypercubes, with one
-   * component (a temperature) or dim components (a displacement).
+   * A field on a mesh: Lagrange elements of degree 1 or 2 on simplices or hypercubes, with one component (a
+   * temperature) or dim components (a displacement).
+   *
+   * Finite differences are elements of degree 1 on the cells of a grid, integrated by the trapezoidal rule:
+   * that gives exactly the stencils of thesis Eqs. 4-29 and 4-30 times the volume that belongs to a node, and
+   * beyond the thesis what they are at surfaces and between tissues. So they need no code of their own.
    *
    * The unknowns of a vector field follow the nodes of the scalar field: component c of node n is unknown dim
    * n + c, on the same process. So nodal values of both belong together without any map, and multigrid finds
@@ -27,7 +32,9 @@ namespace Cautery
   {
   public:
     /** The scalar field, whose nodes are numbered by reverse Cuthill-McKee. */
-    Field(const Mesh<dim> &mesh, const unsigned int degree);
+    Field(const Mesh<dim>       &mesh,
+          const unsigned int     degree,
+          const Numerics::Method method = Numerics::Method::finite_elements);
 
     /** The vector field on the nodes of @p scalar. */
     explicit Field(const Field<dim> &scalar, const unsigned int n_components);
@@ -42,7 +49,10 @@ namespace Cautery
     unsigned int              n_components() const { return element().n_components(); }
     types::global_dof_index   n_unknowns() const { return dofs.n_dofs(); }
 
-    /** Exact for the products of two shape functions on affine cells. */
+    Numerics::Method method() const { return numerical_method; }
+
+    /** Finite elements: exact for the products of two shape functions on affine cells. Finite differences:
+     * the corners. */
     const Quadrature<dim>     &cell_quadrature() const { return inside; }
     const Quadrature<dim - 1> &face_quadrature() const { return faces; }
 
@@ -63,19 +73,22 @@ namespace Cautery
     Vector ghosted(const Vector &values) const;
 
     /**
-     * An empty matrix with rows of this field and columns of @p columns, coupling all unknowns of a cell;
-     * rows and columns that @p constraints removes keep their diagonal only (nullptr: none).
+     * An empty matrix with rows of this field and columns of @p columns, coupling all unknowns of a cell (by
+     * finite differences: of its edges, and for two vector fields of its faces); rows and columns that
+     * @p constraints removes keep their diagonal only (nullptr: none).
      */
     void initialize_matrix(SparseMatrix                    &matrix,
                            const Field<dim>                &columns,
                            const AffineConstraints<double> *constraints) const;
 
   private:
-    void finish(const unsigned int degree);
-    void follow(const DoFHandler<dim> &nodes);
-    void find_face_shapes();
+    void           finish(const unsigned int degree);
+    Table<2, bool> couplings(const Field<dim> &columns) const;
+    void           follow(const DoFHandler<dim> &nodes);
+    void           find_face_shapes();
 
     const Mesh<dim>                       &body;
+    const Numerics::Method                 numerical_method;
     DoFHandler<dim>                        dofs;
     IndexSet                               locally_relevant;
     Quadrature<dim>                        inside;
