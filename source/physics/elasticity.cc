@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/elastic_cell.h>
 #include <cautery/physics/elasticity.h>
+#include <cautery/physics/kept_nodes.h>
 #include <cautery/physics/rigid_motions.h>
 
 namespace Cautery
 {
+  namespace
+  {
+    template <int dim>
+    IndexSet kept_displacements(const Scene             &scene,
+                                const Field<dim>        &displacement,
+                                const Field<dim>        &nodes,
+                                const PointLocator<dim> &locator)
+    {
+      const IndexSet of_nodes = kept_nodes(scene, nodes, locator);
+      if (of_nodes.size() == 0)
+        return {};
+      IndexSet result(displacement.n_unknowns());
+      for (const auto node : of_nodes)
+        result.add_range(dim * node, dim * (node + 1));
+      result.compress();
+      return result;
+    }
+  } // namespace
+
   template <int dim>
   Elasticity<dim>::Elasticity(const Scene             &scene,
                               const Field<dim>        &displacement,
@@ -22,6 +42,7 @@ namespace Cautery
                                  scene.effects.heat == Effects::Heat::non_fourier))
     , supports(scene, displacement, boundaries)
     , outer_load(scene, displacement, nodes, tissues, boundaries, locator)
+    , kept(kept_displacements(scene, displacement, nodes, locator))
   {
     nothing_fixed.reinit(displacement.relevant());
     nothing_fixed.close();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/heat.h>
+#include <cautery/physics/kept_nodes.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -27,6 +28,7 @@ namespace Cautery
     , properties_change(scene.thermal_properties_change())
     , perfusion_stops(scene.effects.perfusion_stops_in_dead_tissue)
     , prescribed(field, boundaries, prescribed_temperature)
+    , kept(kept_nodes(scene, field, locator))
     , outside(scene, field, tissues, boundaries, locator)
   {
     fixed.reinit(field.relevant());

@@ -61,6 +61,12 @@ namespace Cautery
             max_iterations,
             "Per step, after which the run fails",
             Bounds{1., 1e6, false, false});
+    p.entry(
+      "Kept nodes",
+      kept_nodes,
+      "Nodes that the linear systems are condensed to: `inside` (all but the body's surface), `probes` (of "
+      "the cells around them), regions; empty: all. The answer is the same; see doc/performance.md for what "
+      "it costs");
     p.section("Heat solver", [&]() { heat_solver.parameters(p); });
     p.section("Deformation solver", [&]() { deformation_solver.parameters(p); });
     p.entry(

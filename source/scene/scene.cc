@@ -264,6 +264,23 @@ namespace Cautery
                      "Effects/Deformation = equilibrium and Time/Integrator = backward Euler");
     }
 
+    /// Another matrix would have to be condensed anew.
+    void check_condensation(const Scene &scene)
+    {
+      if (scene.numerics.kept_nodes.empty())
+        return;
+      const std::string name = "Numerics/Kept nodes = " + join(scene.numerics.kept_nodes);
+      require(!scene.effects.has_large_deformation() && !scene.has_explicit_loop(),
+              name +
+                " condenses linear systems, which explicit steps and large deformation do not have; leave it "
+                "empty");
+      require(scene.time.integrator != TimeSettings::Integrator::ida && !scene.thermal_properties_change() &&
+                !scene.elastic_properties_change() && !scene.effects.perfusion_stops_in_dead_tissue,
+              name +
+                " needs a matrix that stays, which IDA, properties that depend on temperature and perfusion "
+                "that stops do not leave; leave it empty");
+    }
+
     void check_explicit(const Scene &scene)
     {
       require(
@@ -324,6 +341,7 @@ namespace Cautery
       check_properties(scene);
       check_numerics(scene);
       check_finite_differences(scene);
+      check_condensation(scene);
       check_explicit(scene);
       check_in_plane(scene);
       for (const double time : scene.output.times)

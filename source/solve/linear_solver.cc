@@ -48,10 +48,12 @@ namespace Cautery
 
   LinearSolver::LinearSolver(const LinearSolverSettings &settings,
                              const unsigned int          n_components,
-                             Modes                       near_null_space)
+                             Modes                       near_null_space,
+                             const IndexSet             &kept)
     : settings(settings)
     , n_components(n_components)
     , near_null_space(std::move(near_null_space))
+    , kept(kept)
     , guess(settings.guesses)
   {
   }
@@ -60,8 +62,10 @@ namespace Cautery
 
   void LinearSolver::set_matrix(const SparseMatrix &new_matrix)
   {
-    matrix = &new_matrix;
-    guess.clear();
+    if (kept.size() > 0)
+      condensation = std::make_unique<Condensation>(new_matrix, kept);
+    matrix = condensation ? &condensation->schur_complement() : &new_matrix;
+    guess.clear(matrix->linfty_norm());
     set_up(choose(settings.method, matrix->m(), n_components));
     const IndexSet rows = matrix->locally_owned_range_indices();
     for (auto *vector : {&residual, &solution, &correction, &image})
@@ -143,11 +147,20 @@ namespace Cautery
     if (engine->method == Method::direct)
       engine->factorisation = factorise(*matrix, engine->control);
     else if (engine->method == Method::cg_amg)
-      engine->preconditioner = make_multigrid(*matrix, n_components, near_null_space(), engine->mode_values);
+      engine->preconditioner = make_multigrid(*matrix, n_components, modes(), engine->mode_values);
     else if (engine->method == Method::gauss_seidel)
       engine->preconditioner = make_sweep(*matrix);
     else
       engine->ssor = SsorCG::make(*matrix, n_components);
+  }
+
+  std::vector<Vector> LinearSolver::modes() const
+  {
+    std::vector<Vector> result = near_null_space();
+    if (condensation)
+      for (auto &mode : result)
+        mode = condensation->kept_part(mode);
+    return result;
   }
 
   unsigned int LinearSolver::solve(Vector &x, const Vector &b)
@@ -167,7 +180,10 @@ namespace Cautery
       std::isfinite(b.l2_norm()),
       ExcRun("a right-hand side is not finite: the solution has blown up; take a smaller Time/Step"));
     Assert(engine, ExcInternalError());
-    residual = b;
+    if (condensation)
+      condensation->reduce(b, residual);
+    else
+      residual = b;
     guess.apply(solution, residual);
     unsigned int iterations = 0;
     double       last       = std::numeric_limits<double>::infinity();
@@ -183,7 +199,11 @@ namespace Cautery
         residual -= image;
         guess.learn(correction, image);
       }
-    x = solution; // only now: what fails leaves x alone
+    // only now: what fails leaves x alone
+    if (condensation)
+      condensation->recover(solution, x);
+    else
+      x = solution;
     return iterations;
   }
 

@@ -14,6 +14,10 @@ namespace Cautery
   {
     using Numbers = std::vector<double>;
 
+    /// Of a direction, relative to the matrix's norm and the direction's square. The image errs by 1e-16 of
+    /// these and orthonormalisation may add four digits: so directions are right to 1e-4.
+    constexpr double least_energy = 1e-8;
+
     /// y += sign columns factors
     void add(const Numbers &columns, const Numbers &factors, const double sign, Vector &y)
     {
@@ -83,8 +87,9 @@ namespace Cautery
     }
   } // namespace
 
-  void ProjectedGuess::clear()
+  void ProjectedGuess::clear(const double matrix_norm)
   {
+    norm         = matrix_norm;
     n_directions = 0;
     directions.clear();
     images.clear();
@@ -116,8 +121,9 @@ namespace Cautery
     add(images, solutions.back(), -1., residual);
   }
 
-  /// False where the direction is next to nothing: of what rounding makes, the image is not that of the
-  /// direction any more, and directions made of such ones grow without bounds.
+  /// False where the direction is next to nothing, or the matrix next to blind to it (as to the rigid motions
+  /// of a body that only its inertia holds): of what rounding makes, the image is not that of the direction
+  /// any more, and directions made of such ones grow without bounds.
   bool ProjectedGuess::orthonormalise(Vector &direction, Vector &image, Coefficients &removed) const
   {
     // of the solution so far, and of the correction: squares of their energy norms
@@ -135,6 +141,9 @@ namespace Cautery
         square = direction * image;
       }
     if (!(square > 1e-8 * start && square > 1e-22 * whole))
+      return false;
+    const double length = direction.l2_norm();
+    if (!(square > least_energy * norm * length * length))
       return false;
     direction *= 1. / std::sqrt(square);
     image *= 1. / std::sqrt(square);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/time/backward_euler.h>
+#include <cautery/time/balance_solver.h>
 
 #include <cmath>
 
@@ -11,11 +12,7 @@ namespace Cautery
   }
 
   BackwardEulerBalance::BackwardEulerBalance(Balance &balance, const Numerics &numerics, Cost &cost)
-    : equation(balance)
-    , numerics(numerics)
-    , cost(cost)
-    , solver(
-        balance.solver_settings(), balance.n_components(), [&balance]() { return balance.near_null_space(); })
+    : equation(balance), numerics(numerics), cost(cost), solver(solver_of(balance))
   {
   }
 

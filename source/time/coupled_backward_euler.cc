@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/time/balance_solver.h>
 #include <cautery/time/coupled_backward_euler.h>
 
 #include <deal.II/lac/solver_gmres.h>
@@ -20,12 +21,8 @@ namespace Cautery
     , expansion(expansion)
     , feedback(feedback)
     , cost(cost)
-    , heat_solver(heat_balance.solver_settings(),
-                  heat_balance.n_components(),
-                  [&heat_balance]() { return heat_balance.near_null_space(); })
-    , deformation_solver(deformation_balance.solver_settings(),
-                         deformation_balance.n_components(),
-                         [&deformation_balance]() { return deformation_balance.near_null_space(); })
+    , heat_solver(solver_of(heat_balance))
+    , deformation_solver(solver_of(deformation_balance))
   {
   }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/time/balance_solver.h>
 #include <cautery/time/equilibrium.h>
 
 namespace Cautery
 {
   LinearEquilibrium::LinearEquilibrium(Balance &balance, Cost &cost)
-    : equation(balance), cost(cost), solver(balance.solver_settings(), balance.n_components(), [&balance]() {
-      return balance.near_null_space();
-    })
+    : equation(balance), cost(cost), solver(solver_of(balance))
   {
   }
 

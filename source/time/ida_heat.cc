@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/time/balance_solver.h>
 #include <cautery/time/ida_heat.h>
 
 #include <algorithm>
@@ -23,8 +24,8 @@ namespace Cautery
     , second_order(heat.relaxes())
     , switches(heat.loads().switching_times(settings.end))
     , ida(*this, settings.relative_tolerance, tolerances(settings, second_order), settings.max_steps)
-    , solver(heat.solver_settings(), 1, [&heat]() { return heat.near_null_space(); })
-    , mass_solver(heat.solver_settings(), 1, [&heat]() { return heat.near_null_space(); })
+    , solver(solver_of(heat))
+    , mass_solver(solver_of(heat))
   {
     for (auto *vector : {&y, &y_dot})
       {

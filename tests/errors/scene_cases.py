@@ -3,6 +3,9 @@
 from case import DEFORMATION, EXPRESSION, NEEDLE, PLACE, SCENE, TABLE, TISSUE, Case, value
 
 DIFFERENCES = "Numerics/Method = finite differences"
+KEPT = "Numerics/Kept nodes = inside"
+STAYS = ("needs a matrix that stays, which IDA, properties that depend on temperature and perfusion that stops do not "
+         "leave; leave it empty")
 GRID = "set Mesh/Shape = box and Mesh/Cells = hexahedra, or choose finite elements"
 SMALL = ("knows small deformation and implicit steps only; choose finite elements, or Effects/Deformation = equilibrium "
          "and Time/Integrator = backward Euler")
@@ -39,6 +42,22 @@ VALUES = [
     value("Mesh/Shape", "sphere", "choose one of: box, file"),
     value("Numerics/Element degree", "3", "it must be >= 1 and <= 2"),
     value("Numerics/Method", "volumes", "choose one of: finite elements, finite differences"),
+    Case("condensed large deformation",
+         f"scene.prm: {KEPT} condenses linear systems, which explicit steps and large deformation do not have; leave it "
+         "empty", ["Numerics/Kept nodes=inside", "Effects/Deformation=large equilibrium"]),
+    *[Case(f"condensed {what}", f"scene.prm: {KEPT} {STAYS}", ["Numerics/Kept nodes=inside", *entries])
+      for what, entries in {
+          "IDA": ["Time/Integrator=IDA"],
+          "conductivity": ["Effects/Temperature-dependent properties=on", f"{TISSUE}/Conductivity=0.5 + 0.001*T"],
+          "perfusion": ["Effects/Perfusion=on", "Effects/Perfusion stops in dead tissue=on",
+                        "Effects/Damage=Arrhenius"]}.items()],
+    Case("condensed to nothing",
+         "scene.prm: Numerics/Kept nodes keeps 0 of 27 nodes, so that there is nothing to condense; name "
+         "fewer or other nodes, or none for no condensation",
+         ["Numerics/Kept nodes=probes", "Output/Probe names=", "Output/Probe places="], check_too=True),
+    Case("condensed to all",
+         "scene.prm: Numerics/Kept nodes keeps 27 of 27 nodes, so that there is nothing to condense; name "
+         "fewer or other nodes, or none for no condensation", ["Numerics/Kept nodes=all"], check_too=True),
     Case("finite differences on tetrahedra", f"scene.prm: {DIFFERENCES} needs a grid along the axes; {GRID}",
          ["Numerics/Method=finite differences", "Mesh/Cells=tetrahedra"]),
     Case("finite differences on a file", f"scene.prm: {DIFFERENCES} needs a grid along the axes; {GRID}",

@@ -207,7 +207,8 @@ namespace Cautery::Test
     exact.set_matrix(matrix);
 
     ProjectedGuess guess(16);
-    double         worst = 0.;
+    guess.clear(matrix.linfty_norm());
+    double worst = 0.;
     for (unsigned int k = 0; k < 200; ++k)
       {
         Vector residual = lattice.vector([k](const double i) { return 1e-16 * std::sin(0.7 * i + k); });

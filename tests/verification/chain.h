@@ -93,6 +93,25 @@ namespace Verification
     return Utilities::MPI::this_mpi_process(communicator) == 0 ? read_outcome(directory) : Outcome();
   }
 
+  /// The largest difference of any column, relative to the column's largest value.
+  inline double difference_by_column(const Outcome &one, const Outcome &other)
+  {
+    std::map<std::string, double> largest, apart;
+    for (const auto &[place, row] : one.probes)
+      for (const auto &[column, value] : row)
+        {
+          const double second = other.probes.at(place).at(column);
+          largest[column]     = std::max(largest[column], std::isfinite(value) ? std::abs(value) : 0.);
+          apart[column] =
+            std::max(apart[column], value == second ? 0. : std::abs(value - second)); // no damage: -infinity
+        }
+    double result = 0.;
+    for (const auto &[column, value] : apart)
+      if (value > 0.)
+        result = std::max(result, value / largest[column]);
+    return result;
+  }
+
   /// Counts what is wrong and prints every comparison.
   class Checks
   {
@@ -158,4 +177,5 @@ namespace Verification
   void motion(Checks &checks);
   void balance(Checks &checks);
   void stencils(Checks &checks);
+  void condensation(Checks &checks);
 } // namespace Verification

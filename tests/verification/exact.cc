@@ -13,5 +13,6 @@ int main(int argc, char **argv)
                     {"deformation", deformation},
                     {"motion", motion},
                     {"balance", balance},
-                    {"stencils", stencils}});
+                    {"stencils", stencils},
+                    {"condensation", condensation}});
 }

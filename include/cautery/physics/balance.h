@@ -71,7 +71,9 @@ namespace Cautery
     virtual bool refresh(const State &state, const Vector &x) = 0;
 
     virtual const LinearSolverSettings &solver_settings() const = 0;
-    virtual unsigned int                n_components() const    = 0;
+    /** The unknowns of this process that remain where others are condensed away; empty: all. */
+    virtual const IndexSet &kept_unknowns() const = 0;
+    virtual unsigned int    n_components() const  = 0;
     /** The modes that the stiffness matrix does not see, for multigrid. */
     virtual std::vector<Vector> near_null_space() const = 0;
   };

@@ -42,6 +42,7 @@ namespace Cautery
     bool               depends_on_iterate() const override { return false; }
     bool               refresh(const State &state, const Vector &x) override;
     const LinearSolverSettings &solver_settings() const override { return scene.numerics.deformation_solver; }
+    const IndexSet             &kept_unknowns() const override { return kept; }
     unsigned int                n_components() const override { return dim; }
     std::vector<Vector>         near_null_space() const override;
 
@@ -69,6 +70,7 @@ namespace Cautery
 
     const Supports<dim>                            supports;
     const OuterLoad<dim>                           outer_load;
+    const IndexSet                                 kept;
     AffineConstraints<double>                      nothing_fixed;
     ConstrainedMatrix                              mass;
     ConstrainedMatrix                              elastic;

@@ -43,6 +43,7 @@ namespace Cautery
     }
     bool                        refresh(const State &state, const Vector &x) override;
     const LinearSolverSettings &solver_settings() const override { return scene.numerics.heat_solver; }
+    const IndexSet             &kept_unknowns() const override { return kept; }
     unsigned int                n_components() const override { return 1; }
     std::vector<Vector>         near_null_space() const override;
 
@@ -92,6 +93,7 @@ namespace Cautery
     Prescribed<dim>           prescribed;
     AffineConstraints<double> fixed;
     Elimination               eliminated;
+    const IndexSet            kept;
     AffineConstraints<double> nothing_fixed;
     HeatLoads<dim>            outside;
     ConstrainedMatrix         relaxation; ///< M

@@ -6,6 +6,9 @@
 #include <cautery/scene/newton_settings.h>
 #include <cautery/scene/relaxation_settings.h>
 
+#include <string>
+#include <vector>
+
 namespace Cautery
 {
   /**
@@ -58,18 +61,19 @@ namespace Cautery
       output_times
     };
 
-    Method               method              = Method::finite_elements;
-    unsigned int         degree              = 1;
-    CapacityMatrix       capacity_matrix     = CapacityMatrix::consistent;
-    DisplacementAt       displacement_at     = DisplacementAt::automatic;
-    double               iteration_tolerance = 1e-8; ///< of the nonlinear iteration in a step, K
-    unsigned int         max_iterations      = 50;
-    LinearSolverSettings heat_solver;
-    LinearSolverSettings deformation_solver;
-    LargeEquilibrium     large_equilibrium = LargeEquilibrium::newton;
-    NewtonSettings       newton;
-    RelaxationSettings   relaxation;
-    ExplicitSettings     explicit_steps;
+    Method                   method              = Method::finite_elements;
+    unsigned int             degree              = 1;
+    CapacityMatrix           capacity_matrix     = CapacityMatrix::consistent;
+    DisplacementAt           displacement_at     = DisplacementAt::automatic;
+    double                   iteration_tolerance = 1e-8; ///< of the nonlinear iteration in a step, K
+    unsigned int             max_iterations      = 50;
+    std::vector<std::string> kept_nodes; ///< "inside", "probes" or regions; empty: all, nothing is condensed
+    LinearSolverSettings     heat_solver;
+    LinearSolverSettings     deformation_solver;
+    LargeEquilibrium         large_equilibrium = LargeEquilibrium::newton;
+    NewtonSettings           newton;
+    RelaxationSettings       relaxation;
+    ExplicitSettings         explicit_steps;
 
     void parameters(Parameters &p);
   };

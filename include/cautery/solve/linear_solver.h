@@ -3,6 +3,7 @@
 
 #include <cautery/base/linear_algebra.h>
 #include <cautery/scene/numerics.h>
+#include <cautery/solve/condensation.h>
 #include <cautery/solve/projected_guess.h>
 
 #include <functional>
@@ -23,11 +24,13 @@ namespace Cautery
 
     /**
      * @p n_components unknowns stand together at each node; @p near_null_space gives the modes that multigrid
-     * must not forget (asked for only where multigrid is used).
+     * must not forget (asked for only where multigrid is used). Where @p kept is not empty, the systems are
+     * condensed to these unknowns of this process, see Condensation.
      */
     LinearSolver(const LinearSolverSettings &settings,
                  const unsigned int          n_components,
-                 Modes                       near_null_space);
+                 Modes                       near_null_space,
+                 const IndexSet             &kept = IndexSet());
     ~LinearSolver();
 
     /** The matrix from now on: sets up what solves with it. It must live as long as it is solved with. */
@@ -49,18 +52,21 @@ namespace Cautery
   private:
     struct Engine;
 
-    void         set_up(const LinearSolverSettings::Method method);
-    unsigned int solve_to(Vector &x, const Vector &b, const double goal);
-    unsigned int correct(const double reduction);
-    unsigned int apply(const double reduction);
+    void                set_up(const LinearSolverSettings::Method method);
+    std::vector<Vector> modes() const;
+    unsigned int        solve_to(Vector &x, const Vector &b, const double goal);
+    unsigned int        correct(const double reduction);
+    unsigned int        apply(const double reduction);
 
-    const LinearSolverSettings settings;
-    const unsigned int         n_components;
-    const Modes                near_null_space;
-    const SparseMatrix        *matrix = nullptr;
-    std::unique_ptr<Engine>    engine; ///< of the matrix
-    ProjectedGuess             guess;
-    double                     largest_right_hand_side = 0.;
-    Vector                     residual, solution, correction, image;
+    const LinearSolverSettings    settings;
+    const unsigned int            n_components;
+    const Modes                   near_null_space;
+    const IndexSet                kept;
+    std::unique_ptr<Condensation> condensation; ///< where not all is kept
+    const SparseMatrix     *matrix = nullptr;   ///< what is solved with: all of A, or what it is condensed to
+    std::unique_ptr<Engine> engine;             ///< of the matrix
+    ProjectedGuess          guess;
+    double                  largest_right_hand_side = 0.;
+    Vector                  residual, solution, correction, image;
   };
 } // namespace Cautery

@@ -19,8 +19,8 @@ namespace Cautery
   public:
     explicit ProjectedGuess(const unsigned int capacity) : capacity(capacity) {}
 
-    /** Forgets everything: the matrix is another one. */
-    void clear();
+    /** Forgets everything: the matrix is another one, of the norm (the largest row sum) given. */
+    void clear(const double matrix_norm);
 
     /** Sets @p x to the guess for A x = b and turns @p residual, on entry b, into b - A x. */
     void apply(Vector &x, Vector &residual);
@@ -37,6 +37,7 @@ namespace Cautery
     void         condense();
 
     const unsigned int        capacity;
+    double                    norm         = 0.; ///< of the matrix
     unsigned int              n_directions = 0;
     std::vector<double>       directions; ///< this process' rows, one direction after the other
     std::vector<double>       images;
