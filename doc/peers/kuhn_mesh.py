@@ -25,24 +25,27 @@ def cube(n):
 
 
 def outer_faces(n, nodes, tetrahedra):
+    """Triangles with the number of their surface, 1 to 6: x min, x max, y min, ..."""
     for corners in tetrahedra:
         for left_out in range(4):
             face = [corner for m, corner in enumerate(corners) if m != left_out]
-            if any(len({nodes[p][axis] for p in face}) == 1 and nodes[face[0]][axis] in (0, n) for axis in range(3)):
-                yield face
+            for axis in range(3):
+                heights = {nodes[p][axis] for p in face}
+                if heights in ({0}, {n}):
+                    yield face, 2 * axis + (1 if heights == {0} else 2)
 
 
 def write_medit(n, file_name, length=0.01):
     nodes, tetrahedra = cube(n)
-    triangles = list(outer_faces(n, nodes, tetrahedra))
+    cells = {"Tetrahedra": [(corners, 1) for corners in tetrahedra], "Triangles": list(outer_faces(n, nodes, tetrahedra))}
     with open(file_name, "w") as file:
         print("MeshVersionFormatted 2\nDimension 3\nVertices\n", len(nodes), sep="", file=file)
         for place in nodes:
             print(*(f"{length * c / n:.17g}" for c in place), 0, file=file)
-        for title, cells in (("Tetrahedra", tetrahedra), ("Triangles", triangles)):
-            print(title, len(cells), sep="\n", file=file)
-            for corners in cells:
-                print(*(corner + 1 for corner in corners), 1, file=file)
+        for title, labelled in cells.items():
+            print(title, len(labelled), sep="\n", file=file)
+            for corners, label in labelled:
+                print(*(corner + 1 for corner in corners), label, file=file)
         print("End", file=file)
 
 
