@@ -49,7 +49,8 @@ namespace Cautery
     if (!has_inertia)
       supports.check_held(scene);
     // in equilibrium, a body that nothing moves needs no products with prescribed values
-    needs_full = has_inertia || scene.effects.coupling == Effects::Coupling::two_way || supports.move();
+    needs_full = has_inertia || scene.effects.coupling == Effects::Coupling::two_way || supports.move() ||
+                 scene.output.reactions;
     initialize_matrices();
     if (scene.effects.coupling != Effects::Coupling::off && !properties_change)
       expansion_operator = std::make_unique<ThermalExpansionOperator<dim>>(displacement, nodes, tissues);
@@ -139,6 +140,16 @@ namespace Cautery
       expansion_operator->add_force(state.temperature, force);
     else if (properties_change)
       force.add(1., thermal_load);
+  }
+
+  template <int dim>
+  Vector Elasticity<dim>::unbalanced_forces(const State &state) const
+  {
+    Vector outer = displacement.vector(), result = displacement.vector();
+    load_at(state.time, state, outer);
+    elastic.full.vmult(result, state.displacement);
+    result -= outer;
+    return result;
   }
 
   template <int dim>

@@ -170,6 +170,38 @@ namespace Cautery
     return Utilities::MPI::sum(sum, nodes.communicator());
   }
 
+  template <typename Number>
+  Vector unbalanced_forces(TledBody<Number>   &body,
+                           TledNodes<Number>  &nodes,
+                           const OuterLoad<3> &load,
+                           const Field<3>     &displacement,
+                           const State        &state)
+  {
+    auto values = nodes.zero(), forces = nodes.zero();
+    for (std::uint32_t node = 0; node < nodes.n_own(); ++node)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          values[node_record * node + c] = state.displacement.begin()[dim * node + c];
+        if (state.temperature.size() > 0)
+          values[node_record * node + dim] = state.temperature.begin()[node] - body.reference_temperature();
+      }
+    nodes.update(values);
+    body.add_forces(TledBody<Number>::Part::motion, values, forces);
+    nodes.collect(forces);
+    Vector result = displacement.vector(), outer = displacement.vector();
+    load.at(state.time, outer);
+    for (std::uint32_t node = 0; node < nodes.n_own(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        result.begin()[dim * node + c] = forces[node_record * node + c];
+    result -= outer;
+    return result;
+  }
+
+  template Vector unbalanced_forces(
+    TledBody<float> &, TledNodes<float> &, const OuterLoad<3> &, const Field<3> &, const State &);
+  template Vector unbalanced_forces(
+    TledBody<double> &, TledNodes<double> &, const OuterLoad<3> &, const Field<3> &, const State &);
+
   template class ExplicitMotion<float>;
   template class ExplicitMotion<double>;
 } // namespace Cautery

@@ -158,12 +158,11 @@ namespace Cautery
 
   template <int dim>
   std::optional<InvertedCell>
-  LargeElasticity<dim>::find_residual(const Vector &x, const Loading &loading, Vector &residual) const
+  LargeElasticity<dim>::add_inner_forces(const Vector &x, const Loading &loading, Vector &forces) const
   {
     const auto                 &fe = displacement.element();
     dealii::Vector<double>      local(fe.n_dofs_per_cell());
     std::optional<InvertedCell> inverted;
-    residual = 0.;
     for_each_cell(
       x, loading, [&](const auto &cell, const auto &dofs, const auto &values, const auto &points) {
         local = 0.;
@@ -181,13 +180,31 @@ namespace Cautery
                   local(i) += stress(component, d) * values.shape_grad(node, q)[d] * values.JxW(q);
               }
           }
-        residual.add(dofs, local);
+        forces.add(dofs, local);
       });
-    residual.compress(VectorOperation::add);
-    inner_force_norm = residual.l2_norm();
+    forces.compress(VectorOperation::add);
+    return inverted;
+  }
+
+  template <int dim>
+  std::optional<InvertedCell>
+  LargeElasticity<dim>::find_residual(const Vector &x, const Loading &loading, Vector &residual) const
+  {
+    residual            = 0.;
+    const auto inverted = add_inner_forces(x, loading, residual);
+    inner_force_norm    = residual.l2_norm();
     residual -= loading.force;
     held.elimination().condense(residual);
     return worst_of_all(inverted, nodes.communicator());
+  }
+
+  template <int dim>
+  Vector LargeElasticity<dim>::unbalanced_forces(const Vector &x, const Loading &loading) const
+  {
+    Vector result = displacement.vector();
+    add_inner_forces(x, loading, result);
+    result -= loading.force;
+    return result;
   }
 
   template <int dim>

@@ -99,6 +99,14 @@ namespace Cautery
   }
 
   template <typename Number>
+  std::optional<Vector> ExplicitProblem<Number>::unbalanced_forces(const State &state)
+  {
+    if (!field)
+      return {};
+    return Cautery::unbalanced_forces(cells, nodes, *load, *field, state);
+  }
+
+  template <typename Number>
   std::optional<HeatTotals> ExplicitProblem<Number>::heat_totals(const State &state)
   {
     if (explicit_heat)

@@ -56,6 +56,12 @@ namespace Cautery
   }
 
   template <int dim>
+  std::optional<Vector> MechanicalProblem<dim>::unbalanced_forces(const State &state)
+  {
+    return statics.unbalanced_forces(state);
+  }
+
+  template <int dim>
   std::map<std::string, types::global_dof_index> MechanicalProblem<dim>::unknowns() const
   {
     std::map<std::string, types::global_dof_index> result = {{"displacement", field.n_unknowns()}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/base/agreement.h>
 #include <cautery/output/fields.h>
+#include <cautery/output/reactions.h>
 #include <cautery/problems/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -67,9 +68,9 @@ namespace Cautery
   {
     void remove_results(const std::string &directory)
     {
-      const std::regex results(
-        "summary\\.json|probes\\.csv|log\\.txt|solution\\.pvd|solution_[0-9]+(\\.[0-9]+)?\\.p?vtu");
-      std::error_code error;
+      const std::regex results("summary\\.json|probes\\.csv|reactions\\.csv|log\\.txt|solution\\.pvd|"
+                               "solution_[0-9]+(\\.[0-9]+)?\\.p?vtu");
+      std::error_code  error;
       for (const auto &entry : std::filesystem::directory_iterator(directory, error))
         if (std::regex_match(entry.path().filename().string(), results))
           std::filesystem::remove(entry.path(), error);
@@ -103,6 +104,12 @@ namespace Cautery
       Utilities::MPI::this_mpi_process(communicator) == 0, directory + "/log.txt", scene.time.end);
     progress.say(description());
     probes->write_to(directory + "/probes.csv");
+    if (scene.output.reactions)
+      {
+        auto reactions = std::make_unique<Reactions<dim>>(scene, body->nodes, body->boundaries);
+        reactions->write_to(directory + "/reactions.csv");
+        others.push_back(std::move(reactions));
+      }
     if (scene.output.fields)
       others.push_back(std::make_unique<Fields<dim>>(directory));
 
@@ -191,9 +198,18 @@ namespace Cautery
         const auto scope = cost.measure("deformation: strain and stress");
         mechanical       = problem->mechanical_fields(state);
       }
-    const Snapshot<dim> snapshot{
-      state, body->nodes, problem->displacement(), mechanical ? &*mechanical : nullptr};
-    const auto look = [&](Observer<dim> &observer) {
+    std::optional<Vector> unbalanced;
+    if (scene.output.reactions)
+      {
+        const auto scope = cost.measure("deformation: reactions");
+        unbalanced       = problem->unbalanced_forces(state);
+      }
+    const Snapshot<dim> snapshot{state,
+                                 body->nodes,
+                                 problem->displacement(),
+                                 mechanical ? &*mechanical : nullptr,
+                                 unbalanced ? &*unbalanced : nullptr};
+    const auto          look = [&](Observer<dim> &observer) {
       const auto scope = cost.measure(observer.name());
       observer.observe(snapshot);
     };

@@ -12,7 +12,8 @@ namespace Cautery
     {
     public:
       RelaxedBody(const Scene &scene, const Body<3> &body, const Field<3> &displacement, Cost &cost)
-        : nodes(body.nodes)
+        : field(displacement)
+        , nodes(body.nodes)
         , cells(scene, body.nodes, body.tissues, nodes)
         , supports(scene, displacement, body.boundaries)
         , load(scene, displacement, body.nodes, body.tissues, body.boundaries, body.locator)
@@ -23,8 +24,13 @@ namespace Cautery
 
       void                          solve(State &state) override { relaxation.solve(state); }
       std::map<std::string, double> statistics() const override { return relaxation.statistics(); }
+      Vector                        unbalanced_forces(const State &state)
+      {
+        return Cautery::unbalanced_forces(cells, nodes, load, field, state);
+      }
 
     private:
+      const Field<3>   &field;
       TledNodes<double> nodes;
       TledBody<double>  cells;
       Supports<3>       supports;
@@ -41,19 +47,27 @@ namespace Cautery
         if constexpr (dim == 3)
           if (scene.numerics.large_equilibrium == Numerics::LargeEquilibrium::relaxation)
             {
-              equilibrium = std::make_unique<RelaxedBody>(scene, body, displacement, cost);
+              auto relaxed      = std::make_unique<RelaxedBody>(scene, body, displacement, cost);
+              unbalanced_forces = [&relaxed = *relaxed](const State &state) {
+                return relaxed.unbalanced_forces(state);
+              };
+              equilibrium = std::move(relaxed);
               return;
             }
         large = std::make_unique<LargeElasticity<dim>>(
           scene, displacement, body.nodes, body.tissues, body.boundaries, body.locator);
         equilibrium = std::make_unique<NewtonEquilibrium<dim>>(
           *large, scene.numerics.newton, scene.numerics.deformation_solver, cost);
+        unbalanced_forces = [&large = *large](const State &state) {
+          return large.unbalanced_forces(state.displacement, large.loading(state));
+        };
         return;
       }
     small = std::make_unique<Elasticity<dim>>(
       scene, displacement, body.nodes, body.tissues, body.boundaries, body.locator);
     if (scene.effects.deformation == Effects::Deformation::equilibrium)
       equilibrium = std::make_unique<LinearEquilibrium>(*small, cost);
+    unbalanced_forces = [&small = *small](const State &state) { return small.unbalanced_forces(state); };
   }
 
   template struct Statics<2>;

@@ -111,6 +111,12 @@ namespace Cautery
   }
 
   template <int dim>
+  std::optional<Vector> ThermomechanicalProblem<dim>::unbalanced_forces(const State &state)
+  {
+    return statics.unbalanced_forces(state);
+  }
+
+  template <int dim>
   std::optional<HeatTotals> ThermomechanicalProblem<dim>::heat_totals(const State &state)
   {
     return books->totals(state);

@@ -42,6 +42,12 @@ namespace Cautery
       stress,
       Choices<Stress>{{"Cauchy", Stress::cauchy}, {"second Piola-Kirchhoff", Stress::second_piola_kirchhoff}},
       "Which stress is written, in large deformation: force per deformed area, or S of the undeformed body");
+    p.entry("Reactions",
+            reactions,
+            "Write reactions.csv: the force (N) that each support and tool exerts on the body at the output "
+            "times, but for the inertia of the nodes that it holds. A node where several meet counts for "
+            "one: first "
+            "prescribed displacements, then tools, then rollers, each in the order of their names");
     p.entry("Probe names", probe_names, "Names of the probes");
     p.entry("Probe places", probe_places, "m", "Places of the probes, x, y, z; separated by semicolons");
     p.entry("Ablation centre", ablation_centre, "m", "Point from which the ablation radius is measured");

@@ -51,6 +51,9 @@ VALUES = [
           "conductivity": ["Effects/Temperature-dependent properties=on", f"{TISSUE}/Conductivity=0.5 + 0.001*T"],
           "perfusion": ["Effects/Perfusion=on", "Effects/Perfusion stops in dead tissue=on",
                         "Effects/Damage=Arrhenius"]}.items()],
+    Case("reactions of nothing",
+         "scene.prm: Output/Reactions = on, but there is none without deformation; switch one of both",
+         ["Output/Reactions=on"], check_too=True),
     Case("condensed to nothing",
          "scene.prm: Numerics/Kept nodes keeps 0 of 27 nodes, so that there is nothing to condense; name "
          "fewer or other nodes, or none for no condensation",

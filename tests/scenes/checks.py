@@ -107,6 +107,13 @@ def exact_stretch(outcome):
         near(max(shear), min(shear), 1e-6, 1e-3)
 
 
+def balances(outcome, time, load, tolerance=1e-9):
+    """What all supports together bear is the load (N)."""
+    sums = [sum(parts) for parts in zip(*(force for (at, _), force in outcome.reactions.items() if at == time))]
+    for axis in range(3):
+        near(sums[axis], -load[axis], 0, tolerance * max(map(abs, load)) or 1e-12)
+
+
 def forces(outcome):
     for probe in ("middle", "top", "pulled", "end"):
         at = [outcome.at(time, probe) for time in (0, 2, 4)]
@@ -128,6 +135,11 @@ def forces(outcome):
     assert (end["displacement_x_m"], end["displacement_y_m"], end["displacement_z_m"]) == (4e-5, 0, 0)
     assert outcome.at(4, "top")["displacement_z_m"] < outcome.at(4, "middle")["displacement_z_m"] < 0
     near(outcome.at(4, "middle")["strain_xx"], 4e-5 / 0.02, 0.1)
+    for time in (0, 2, 4):  # the wall bears everything but what the end bears along x
+        weight = 1000 * 9.81 * area * length
+        balances(outcome, time, [0, 0.05 * time - weight, -1000 * time * length * 0.01])
+    pull = outcome.reactions[4, "end"][0] - outcome.reactions[0, "end"][0]
+    near(pull, young * area * 4e-5 / length, 0.1)
 
 
 def free_expansion(outcome, factor, energy_factor):
@@ -320,6 +332,7 @@ def large_fibres(outcome):
             near(row["strain_xx"], (along**2 - 1) / 2, 1e-9)
             near(row["stress_xx_Pa"], 3000 / along, 1e-9)
             near(row["stress_yy_Pa"], 0, 0, 1e-5)
+    balances(outcome, 1, [3000 * 1e-4, 0, 0])
 
 
 def relaxed_fibres(outcome):
@@ -338,6 +351,7 @@ def explicit_block(outcome):
             near(row["stress_xx_Pa"], 1000 / across**2, 1e-8)
             near(row["temperature_K"] - 310, slope * row["x_m"], 1e-6)
     near(outcome.summary["balance"]["lost_through_boundary_J"], -stored_in_slope(slope, length), 1e-6)
+    balances(outcome, 1.2, [1000 * 1e-4, 0, 0], 1e-8)
 
 
 def stored_in_slope(slope, length):

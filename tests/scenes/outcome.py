@@ -10,7 +10,7 @@ import prm
 
 
 class Outcome:
-    """settings: complete, by path; rows: of probes.csv, with numbers; arrays: names in each .vtu file; log: text."""
+    """settings: complete, by path; rows: of probes.csv, with numbers; reactions: forces (N) by time and support; arrays: names in each .vtu file; log: text."""
 
     def __init__(self, folder):
         folder = pathlib.Path(folder)
@@ -22,6 +22,11 @@ class Outcome:
             self.rows = [{column: text if column == "probe" else float(text) for column, text in row.items()}
                          for row in reader]
             self.columns = reader.fieldnames
+        self.reactions = {}
+        if self["Output/Reactions"] == "on":
+            with open(folder / "reactions.csv", newline="") as file:
+                for row in csv.DictReader(file):
+                    self.reactions[float(row["time_s"]), row["support"]] = [float(row[f"force_{c}_N"]) for c in "xyz"]
         self.arrays = [set(re.findall(r'<DataArray [^>]*Name="([^"]*)"', file.read_text(errors="replace")))
                        - {"connectivity", "offsets", "types"} for file in sorted(folder.glob("*.vtu"))]
 

@@ -18,6 +18,7 @@ namespace Cautery
     const Field<dim>            &nodes;
     const Field<dim>            *displacement = nullptr; ///< none: deformation is off
     const MechanicalFields<dim> *mechanical   = nullptr;
+    const Vector *unbalanced_forces           = nullptr; ///< see Problem; only where reactions are written
   };
 
   /**

@@ -49,6 +49,9 @@ namespace Cautery
     /** The load at @p time alone, for equilibrium; the thermal part is that of @p state's temperature. */
     void load_at(const double time, const State &state, Vector &force) const;
 
+    /** Inner less outer forces without inertia, N per unknown, where the scene has reactions written. */
+    Vector unbalanced_forces(const State &state) const;
+
     const Field<dim> &field() const { return displacement; }
     /** The linear thermal expansion; nullptr where it is off or not linear. */
     const ThermalExpansionOperator<dim> *expansion() const { return expansion_operator.get(); }

@@ -4,6 +4,7 @@
 #include <cautery/physics/outer_load.h>
 #include <cautery/physics/supports.h>
 #include <cautery/physics/tled_body.h>
+#include <cautery/space/state.h>
 
 namespace Cautery
 {
@@ -71,4 +72,12 @@ namespace Cautery
     std::size_t         n_settled = 0; ///< of those held: the first so many stay where they are
     std::vector<Roller> rollers;
   };
+
+  /** Inner less outer forces at @p state, N per unknown of @p displacement. Collective. */
+  template <typename Number>
+  Vector unbalanced_forces(TledBody<Number>   &body,
+                           TledNodes<Number>  &nodes,
+                           const OuterLoad<3> &load,
+                           const Field<3>     &displacement,
+                           const State        &state);
 } // namespace Cautery

@@ -58,6 +58,9 @@ namespace Cautery
     std::optional<InvertedCell>
     find_residual(const Vector &displacement, const Loading &loading, Vector &residual) const;
 
+    /** Inner less outer forces, N per unknown, not condensed. Collective. */
+    Vector unbalanced_forces(const Vector &displacement, const Loading &loading) const;
+
     /** The norm of the inner forces of the last residual, with those at the supports, N. */
     double inner_forces() const { return inner_force_norm; }
 
@@ -73,6 +76,9 @@ namespace Cautery
     const Field<dim>    &field() const { return displacement; }
 
   private:
+    std::optional<InvertedCell>
+    add_inner_forces(const Vector &displacement, const Loading &loading, Vector &forces) const;
+
     /// A point of integration.
     struct MaterialPoint
     {

@@ -21,6 +21,7 @@ namespace Cautery
     void                                           step(State &state, const double stop) override;
     std::optional<MechanicalFields<3>>             mechanical_fields(const State &state) const override;
     const Field<3>                                *displacement() const override { return field.get(); }
+    std::optional<Vector>                          unbalanced_forces(const State &state) override;
     std::optional<HeatTotals>                      heat_totals(const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;

@@ -35,7 +35,10 @@ namespace Cautery
     /** Collective; nothing where deformation is off. */
     virtual std::optional<MechanicalFields<dim>> mechanical_fields(const State &) const { return {}; }
     virtual const Field<dim>                    *displacement() const { return nullptr; }
-    virtual std::optional<HeatTotals>            heat_totals(const State &) { return {}; }
+    /** Inner less outer forces, N per unknown of the displacement: what supports bear, but for the inertia of
+     * held nodes, and what moves the others. Collective; nothing where deformation is off. */
+    virtual std::optional<Vector>     unbalanced_forces(const State &) { return {}; }
+    virtual std::optional<HeatTotals> heat_totals(const State &) { return {}; }
 
     /** By name: temperature, displacement, ... */
     virtual std::map<std::string, types::global_dof_index> unknowns() const   = 0;

@@ -6,6 +6,8 @@
 #include <cautery/problems/body.h>
 #include <cautery/time/equilibrium.h>
 
+#include <functional>
+
 namespace Cautery
 {
   /**
@@ -20,5 +22,7 @@ namespace Cautery
     std::unique_ptr<Elasticity<dim>>      small; ///< one of the two, or none with dynamic relaxation
     std::unique_ptr<LargeElasticity<dim>> large;
     std::unique_ptr<Equilibrium>          equilibrium; ///< none with inertia
+    /// see Problem
+    std::function<Vector(const State &)> unbalanced_forces;
   };
 } // namespace Cautery

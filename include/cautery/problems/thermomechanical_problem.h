@@ -23,6 +23,7 @@ namespace Cautery
     void                                           complete(State &state) override;
     std::optional<MechanicalFields<dim>>           mechanical_fields(const State &state) const override;
     const Field<dim>                              *displacement() const override { return &field; }
+    std::optional<Vector>                          unbalanced_forces(const State &state) override;
     std::optional<HeatTotals>                      heat_totals(const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;

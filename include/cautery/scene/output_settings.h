@@ -36,6 +36,7 @@ namespace Cautery
     std::vector<Point<3>>    probe_places; ///< m
     Point<3>                 ablation_centre;
     Stress                   stress     = Stress::cauchy; ///< in large deformation
+    bool                     reactions  = false;          ///< reactions.csv
     bool                     every_step = false;          ///< a line per step in the log
 
     /** All output times in (0, end], rising, with the end (s). */

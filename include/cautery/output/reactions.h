@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cautery/output/observer.h>
+#include <cautery/scene/scene.h>
+#include <cautery/space/assignment.h>
+
+#include <fstream>
+
+namespace Cautery
+{
+  /**
+   * reactions.csv: a row for every output time and support with the force that it exerts on the body. A node
+   * where supports meet counts for one of them, in the order in which they hold it, so that the rows add up.
+   */
+  template <int dim>
+  class Reactions : public Observer<dim>
+  {
+  public:
+    Reactions(const Scene &scene, const Field<dim> &nodes, const BoundaryMap<dim> &boundaries);
+
+    /** The file appears with the first row. */
+    void write_to(const std::string &file_name);
+
+    std::string name() const override { return "output: reactions"; }
+    void        observe(const Snapshot<dim> &snapshot) override;
+
+  private:
+    struct Support
+    {
+      std::string                          name;
+      std::vector<types::global_dof_index> nodes; ///< the process's own
+    };
+    void add(const std::string &name, const std::set<types::global_dof_index> &held);
+
+    const Field<dim>                 &nodes;
+    std::vector<Support>              supports;
+    std::set<types::global_dof_index> taken;
+    std::ofstream                     file;
+  };
+} // namespace Cautery
