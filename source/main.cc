@@ -2,6 +2,9 @@
 #include <cautery/base/agreement.h>
 #include <cautery/base/version.h>
 #include <cautery/problems/simulation.h>
+#include <cautery/study/accuracy_study.h>
+#include <cautery/study/effect_study.h>
+#include <cautery/study/goal_run.h>
 
 #include <boost/program_options.hpp>
 
@@ -25,7 +28,9 @@ namespace
   const char usage[] = R"(cautery simulates the thermal ablation of soft tissue.
 
   cautery SCENE.prm [options]          run a scene
-  cautery check SCENE.prm [options]    validate it; print effects, unknowns, memory and steps; run nothing
+  cautery check SCENE.prm [options]    validate it; print effects, unknowns, steps, and what a run will cost
+  cautery accuracy SCENE.prm [options] what accuracy costs in time: its ladders of mesh, step, ... run and compared
+  cautery effects SCENE.prm [options]  what each effect changes in the answer and costs
   cautery parameters                   print the documented template of a scene
   mpirun -np N cautery ...             the same on N processes
 
@@ -90,14 +95,15 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     if (given.count("version"))
       words = {"version"};
     AssertThrow(!words.empty(), ExcInput("give a scene to run; see cautery --help"));
-    for (const std::string command : {"check", "parameters", "help", "version"})
+    for (const std::string command : {"check", "accuracy", "effects", "parameters", "help", "version"})
       if (words.front() == command)
         {
           line.command = command;
           words.erase(words.begin());
           break;
         }
-    const bool needs_scene = line.command == "run" || line.command == "check";
+    const bool needs_scene =
+      line.command != "parameters" && line.command != "help" && line.command != "version";
     AssertThrow(words.size() == (needs_scene ? 1 : 0),
                 ExcInput("`" + line.command + "` takes " + (needs_scene ? "one scene" : "nothing more") +
                          (words.empty() ? "" : ", not `" + join(words, " ") + "`") + "; see cautery --help"));
@@ -111,22 +117,40 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     return line;
   }
 
-  template <int dim>
-  void simulate(const CommandLine &line, const Scene &scene)
+  /// Studies of a scene write beside its runs.
+  std::string directory_of(const CommandLine &line, const Scene &scene)
   {
-    Simulation<dim> simulation(scene, MPI_COMM_WORLD);
+    if (!line.directory.empty())
+      return line.directory;
+    const std::string suffix = line.command == "run" ? "" : "_" + line.command;
+    if (!scene.output.directory.empty())
+      return scene.output.directory + suffix;
+    return "output/" + std::filesystem::path(line.scene).stem().string() + suffix;
+  }
+
+  void act(const CommandLine &line, const Scene &scene)
+  {
+    const bool speaks = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     if (line.command == "check")
       {
-        const std::string description = simulation.description();
-        simulation.check();
-        if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          std::cout << description << "The scene is complete and consistent.\n";
-        return;
+        const std::string text = checked_scene(scene, MPI_COMM_WORLD);
+        if (speaks)
+          std::cout << text;
       }
-    std::string directory = line.directory.empty() ? scene.output.directory : line.directory;
-    if (directory.empty())
-      directory = "output/" + std::filesystem::path(line.scene).stem().string();
-    simulation.run(directory);
+    else if (line.command == "accuracy")
+      {
+        const Origin      origin{line.scene, line.overrides};
+        const std::string directory = directory_of(line, scene);
+        const auto        result    = study_accuracy(origin, scene, directory, MPI_COMM_WORLD);
+        if (speaks)
+          report_accuracy(result, origin, scene, directory);
+      }
+    else if (line.command == "effects")
+      study_effects({line.scene, line.overrides}, scene, directory_of(line, scene), MPI_COMM_WORLD);
+    else if (scene.accuracy.temperature_within > 0.)
+      run_to_goal({line.scene, line.overrides}, scene, directory_of(line, scene), MPI_COMM_WORLD);
+    else
+      run_scene(scene, MPI_COMM_WORLD, directory_of(line, scene));
   }
 
   std::string message_of(const std::exception &exception)
@@ -153,10 +177,7 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     const Scene scene = read_scene(line.scene, line.overrides);
     try
       {
-        if (scene.dimension == 2)
-          simulate<2>(line, scene);
-        else
-          simulate<3>(line, scene);
+        act(line, scene);
       }
     catch (const ExcInput &exception)
       {

@@ -4,9 +4,23 @@
 #include <deal.II/base/utilities.h>
 
 #include <iostream>
+#include <malloc.h>
 
 namespace Cautery
 {
+  namespace
+  {
+    double heap()
+    {
+      const auto info = mallinfo2();
+      return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+    }
+  } // namespace
+
+  Cost::Growth::Growth(double &sum) : sum(sum), before(heap()) {}
+
+  Cost::Growth::~Growth() { sum += heap() - before; }
+
   Cost::Cost() : timer(std::cout, TimerOutput::never, TimerOutput::wall_times) {}
 
   std::map<std::string, double> Cost::seconds_by_part() const
@@ -18,7 +32,7 @@ namespace Cautery
   {
     std::map<std::string, double> effects;
     for (const auto &[part, seconds] : seconds_by_part())
-      effects[part.substr(0, part.find(':'))] += seconds;
+      effects[effect_of(part)] += seconds;
     return effects;
   }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -64,6 +65,107 @@ namespace Cautery
     }
   } // namespace
 
+  namespace
+  {
+    /// Whose unknown that is.
+    std::string effect_of_unknown(const std::string &name)
+    {
+      return name.rfind("temperature", 0) == 0 ? "heat" : "deformation";
+    }
+
+    /// The parts of an effect, dearest first; none where there is one only.
+    std::vector<std::pair<double, std::string>> works(const RunRecord &record, const std::string &effect)
+    {
+      std::vector<std::pair<double, std::string>> found;
+      for (const auto &[part, seconds] : record.seconds_by_part)
+        if (const auto colon = part.find(": "); part.substr(0, colon) == effect)
+          found.emplace_back(seconds, part.substr(colon + 2));
+      std::sort(found.rbegin(), found.rend());
+      if (found.size() == 1)
+        found.clear();
+      return found;
+    }
+
+    Json cost_json(const RunRecord &record)
+    {
+      Json json = {{"wall_s", record.wall_seconds},
+                   {"seconds_per_step", record.seconds_per_step},
+                   {"seconds_by_part", record.seconds_by_part},
+                   {"seconds_by_effect", record.seconds_by_effect},
+                   {"peak_memory_bytes", record.peak_memory},
+                   {"processes", record.processes}};
+      for (const auto &share : record.ledger())
+        json["ledger"][share.effect] = {{"seconds", share.seconds},
+                                        {"share", share.share},
+                                        {"bytes", share.bytes},
+                                        {"unknowns", share.unknowns}};
+      return json;
+    }
+
+    /// The ledger, and under each effect its parts where there are several.
+    std::string cost_text(const RunRecord &record)
+    {
+      std::ostringstream out;
+      out << "Cost                    seconds  share  memory MB  unknowns\n";
+      for (const auto &share : record.ledger())
+        {
+          char line[120];
+          std::snprintf(line,
+                        sizeof(line),
+                        "  %-20s %9.3f %5.1f%% %10.1f %9llu\n",
+                        share.effect.c_str(),
+                        share.seconds,
+                        100. * share.share,
+                        1e-6 * share.bytes,
+                        static_cast<unsigned long long>(share.unknowns));
+          out << line;
+          for (const auto &[seconds, work] : works(record, share.effect))
+            {
+              std::snprintf(line, sizeof(line), "    %-18s %9.3f\n", work.c_str(), seconds);
+              out << line;
+            }
+        }
+      return out.str();
+    }
+
+    Json forecast_json(const RunRecord &record)
+    {
+      return {{"after_steps", record.forecast->after_steps},
+              {"wall_s", record.forecast->seconds},
+              {"peak_memory_bytes", record.forecast->bytes},
+              {"wall_over_actual", record.forecast->seconds / record.wall_seconds},
+              {"memory_over_actual", record.forecast->bytes / record.peak_memory}};
+    }
+  } // namespace
+
+  std::vector<RunRecord::Share> RunRecord::ledger() const
+  {
+    std::map<std::string, Share> shares;
+    double                       rest = wall_seconds;
+    for (const auto &[effect, seconds] : seconds_by_effect)
+      {
+        shares[effect].seconds = seconds;
+        rest -= seconds;
+      }
+    for (const auto &[effect, bytes] : bytes_by_effect)
+      shares[effect].bytes = bytes;
+    for (const auto &[name, number] : unknowns)
+      shares[effect_of_unknown(name)].unknowns += number;
+
+    std::vector<Share> sorted;
+    for (auto &[effect, share] : shares)
+      {
+        share.effect = effect;
+        sorted.push_back(share);
+      }
+    std::sort(
+      sorted.begin(), sorted.end(), [](const Share &a, const Share &b) { return a.seconds > b.seconds; });
+    sorted.push_back({"rest", rest, 0., 0., 0});
+    for (auto &share : sorted)
+      share.share = share.seconds / wall_seconds;
+    return sorted;
+  }
+
   void RunRecord::write(const std::string &file_name) const
   {
     Json json;
@@ -81,12 +183,9 @@ namespace Cautery
       json["ablation"] = ablation_json(*ablation);
     if (balance)
       json["balance"] = balance_json(*balance);
-    json["cost"] = {{"wall_s", wall_seconds},
-                    {"seconds_per_step", seconds_per_step},
-                    {"seconds_by_part", seconds_by_part},
-                    {"seconds_by_effect", seconds_by_effect},
-                    {"peak_memory_bytes", peak_memory},
-                    {"processes", processes}};
+    json["cost"] = cost_json(*this);
+    if (forecast)
+      json["forecast"] = forecast_json(*this);
 
     const std::string part = file_name + ".part";
     {
@@ -127,12 +226,6 @@ namespace Cautery
         << " steps on " << processes << (processes == 1 ? " process" : " processes") << ", "
         << std::setprecision(0) << std::fixed << 1e-6 * peak_memory << " MB at most\n"
         << std::defaultfloat << std::setprecision(3);
-    std::vector<std::pair<double, std::string>> parts;
-    for (const auto &[part, seconds] : seconds_by_part)
-      parts.emplace_back(seconds, part);
-    std::sort(parts.rbegin(), parts.rend());
-    for (const auto &[seconds, part] : parts)
-      out << "               " << std::setw(10) << seconds << " s  " << part << '\n';
-    return out.str();
+    return out.str() + cost_text(*this);
   }
 } // namespace Cautery

@@ -6,16 +6,23 @@ namespace Cautery
 {
   template <typename Number>
   ExplicitProblem<Number>::ExplicitProblem(const Scene &scene, const Body<3> &body, Cost &cost)
-    : scene(scene), body(body), cost(cost), nodes(body.nodes), cells(scene, body.nodes, body.tissues, nodes)
+    : scene(scene)
+    , body(body)
+    , cost(cost)
+    , nodes(body.nodes)
+    , cells(cost.build("set-up: packed cells",
+                       [&]() { return TledBody<Number>(scene, body.nodes, body.tissues, nodes); }))
   {
     if (scene.effects.has_deformation())
-      make_motion();
+      cost.build("deformation: operators", [&]() { make_motion(); });
     if (scene.effects.has_heat())
-      make_heat();
-    central_difference = std::make_unique<CentralDifference<Number>>(
-      scene, body.nodes, cells, nodes, motion.get(), explicit_heat.get(), cost);
+      cost.build("heat: operators", [&]() { make_heat(); });
+    cost.build("set-up: explicit steps", [&]() {
+      central_difference = std::make_unique<CentralDifference<Number>>(
+        scene, body.nodes, cells, nodes, motion.get(), explicit_heat.get(), cost);
+    });
     if (scene.effects.has_damage())
-      make_damage();
+      cost.build("damage: operators", [&]() { make_damage(); });
   }
 
   template <typename Number>
@@ -57,13 +64,15 @@ namespace Cautery
   {
     State state;
     if (scene.effects.has_heat())
-      start_heat(scene, body.nodes, state);
+      cost.build("heat: start", [&]() { start_heat(scene, body.nodes, state); });
     if (field)
       state.displacement = field->vector();
     if (damage)
-      damage->start(state);
+      cost.build("damage: start", [&]() { damage->start(state); });
     if (heat)
-      books = std::make_unique<HeatBalance<3>>(*heat, nullptr, state, bookkeeping_rule<3>(scene.time));
+      cost.build("heat: balance", [&]() {
+        books = std::make_unique<HeatBalance<3>>(*heat, nullptr, state, bookkeeping_rule<3>(scene.time));
+      });
     central_difference->start(state);
     return state;
   }

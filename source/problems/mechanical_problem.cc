@@ -7,9 +7,10 @@ namespace Cautery
   template <int dim>
   MechanicalProblem<dim>::MechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost)
     : scene(scene)
-    , field(body.nodes, dim)
-    , statics(scene, body, field, cost)
-    , gradients(body.nodes, body.tissues)
+    , field(cost.build("deformation: operators", [&]() { return Field<dim>(body.nodes, dim); }))
+    , statics(cost.build("deformation: operators", [&]() { return Statics<dim>(scene, body, field, cost); }))
+    , gradients(
+        cost.build("deformation: operators", [&]() { return NodalGradients<dim>(body.nodes, body.tissues); }))
     , recovery(scene, gradients, field, body.tissues)
   {
     if (scene.effects.deformation == Effects::Deformation::inertia)

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -17,17 +18,17 @@ namespace Cautery
 {
   template <int dim>
   Simulation<dim>::Simulation(const Scene &scene, const MPI_Comm communicator)
-    : scene(scene), communicator(communicator)
+    : scene(scene)
+    , communicator(communicator)
+    , forecast(scene.time.end, 1 + scene.output.output_times(scene.time.end).size())
   {
-    {
-      const auto scope = cost.measure("set-up: mesh");
-      body             = std::make_unique<Body<dim>>(scene, communicator);
-    }
-    const auto scope = cost.measure("set-up: operators");
-    problem          = make_problem(scene, *body, cost);
-    probes           = std::make_unique<Probes<dim>>(scene.output.probes(), body->locator, body->nodes);
-    if (scene.effects.has_damage())
-      ablation = std::make_unique<AblationZone<dim>>(scene.output.ablation_centre, body->nodes);
+    cost.build("set-up: mesh", [&]() { body = std::make_unique<Body<dim>>(scene, communicator); });
+    problem = make_problem(scene, *body, cost);
+    cost.build("set-up: observers", [&]() {
+      probes = std::make_unique<Probes<dim>>(scene.output.probes(), body->locator, body->nodes);
+      if (scene.effects.has_damage())
+        ablation = std::make_unique<AblationZone<dim>>(scene.output.ablation_centre, body->nodes);
+    });
   }
 
   template <int dim>
@@ -96,13 +97,9 @@ namespace Cautery
   }
 
   template <int dim>
-  void Simulation<dim>::run(const std::string &directory)
+  void Simulation<dim>::prepare_outputs(const std::string &directory)
   {
-    State state = problem->start(); // which may refuse the input: nothing must have been written
     prepare_directory(directory);
-    Progress progress(
-      Utilities::MPI::this_mpi_process(communicator) == 0, directory + "/log.txt", scene.time.end);
-    progress.say(description());
     probes->write_to(directory + "/probes.csv");
     if (scene.output.reactions)
       {
@@ -112,20 +109,67 @@ namespace Cautery
       }
     if (scene.output.fields)
       others.push_back(std::make_unique<Fields<dim>>(directory));
+  }
 
+  template <int dim>
+  void Simulation<dim>::go(State &state, Progress &progress, const bool only_trial)
+  {
     extremes.observe(state, dim);
     last_good = state;
+    observe(state);
+    for (const double time : scene.output.output_times(scene.time.end))
+      {
+        while (state.time < time)
+          {
+            advance(state, time, progress);
+            if (only_trial && forecast.result())
+              return;
+          }
+        observe(state);
+        if (!scene.output.every_step)
+          say_step(state, progress);
+      }
+  }
+
+  template <int dim>
+  Forecast::Result Simulation<dim>::trial()
+  {
+    std::string directory;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        directory = (std::filesystem::temp_directory_path() / "cautery-XXXXXX").string();
+        AssertThrow(
+          mkdtemp(directory.data()) != nullptr,
+          ExcInput("no temporary directory for the trial can be made; set TMPDIR to one that can be "
+                   "written"));
+      }
+    directory = Utilities::MPI::broadcast(communicator, directory, 0);
+    // whatever happens, nothing of it stays
+    const std::unique_ptr<const std::string, void (*)(const std::string *)> removal(
+      &directory, [](const std::string *path) {
+        std::error_code error;
+        std::filesystem::remove_all(*path, error);
+      });
+    State    state = problem->start();
+    Progress progress(false, "", scene.time.end);
+    prepare_outputs(directory);
+    go(state, progress, true);
+    const double memory = Utilities::MPI::sum(Cost::peak_memory(), communicator);
+    return forecast.result() ? *forecast.result() : Forecast::Result{cost.wall_seconds(), memory, state.step};
+  }
+
+  template <int dim>
+  RunRecord Simulation<dim>::run(const std::string &directory, const Voice voice)
+  {
+    State state = problem->start(); // which may refuse the input: nothing must have been written
+    prepare_outputs(directory);
+    Progress progress(voice == Voice::speaks && Utilities::MPI::this_mpi_process(communicator) == 0,
+                      directory + "/log.txt",
+                      scene.time.end);
+    progress.say(description());
     try
       {
-        observe(state);
-        for (const double time : scene.output.output_times(scene.time.end))
-          {
-            while (state.time < time)
-              advance(state, time, progress);
-            observe(state);
-            if (!scene.output.every_step)
-              say_step(state, progress);
-          }
+        go(state, progress, false);
       }
     catch (const ExcRun &failure)
       {
@@ -137,7 +181,7 @@ namespace Cautery
         finish(last_good, directory, reason.str(), progress);
         throw;
       }
-    finish(state, directory, "", progress);
+    return finish(state, directory, "", progress);
   }
 
   template <int dim>
@@ -146,12 +190,26 @@ namespace Cautery
     progress.say(progress.line(state.time, state.step, extremes.reduced(communicator).hottest_now) + '\n');
   }
 
+  /// All processes must agree on when enough is known.
+  template <int dim>
+  void Simulation<dim>::foretell(const double length, const double seconds, const double time)
+  {
+    forecast.add_step(length, Utilities::MPI::max(seconds, communicator));
+    if (forecast.knows_enough())
+      forecast.make(time,
+                    Utilities::MPI::max(cost.wall_seconds(), communicator),
+                    Utilities::MPI::sum(Cost::peak_memory(), communicator));
+  }
+
   template <int dim>
   void Simulation<dim>::advance(State &state, const double stop, Progress &progress)
   {
-    const Timer timer;
+    const Timer  timer;
+    const double from = state.time;
     problem->step(state, stop);
     loop_seconds += timer.wall_time();
+    if (!forecast.result())
+      foretell(state.time - from, timer.wall_time(), state.time);
     AssertThrow(state.step <= scene.time.max_steps,
                 ExcRun("Time/Largest number of steps = " + std::to_string(scene.time.max_steps) +
                        " was reached at t = " + to_text(state.time) + " s; allow more, or larger steps"));
@@ -185,6 +243,7 @@ namespace Cautery
   void Simulation<dim>::observe(State &state)
   {
     observed = state.time;
+    const Timer whole;
     {
       const Timer timer;
       problem->complete(state);
@@ -218,6 +277,7 @@ namespace Cautery
       look(*ablation);
     for (auto &observer : others)
       look(*observer);
+    forecast.add_output(whole.wall_time());
   }
 
   template <int dim>
@@ -248,16 +308,19 @@ namespace Cautery
     result.seconds_per_step  = state.step > 0 ? loop_seconds / state.step : 0.;
     result.seconds_by_part   = cost.seconds_by_part();
     result.seconds_by_effect = cost.seconds_by_effect();
-    result.peak_memory       = Utilities::MPI::sum(Cost::peak_memory(), communicator);
-    result.processes         = Utilities::MPI::n_mpi_processes(communicator);
+    for (const auto &[effect, bytes] : cost.bytes_by_effect())
+      result.bytes_by_effect[effect] = Utilities::MPI::sum(bytes, communicator);
+    result.peak_memory = Utilities::MPI::sum(Cost::peak_memory(), communicator);
+    result.forecast    = forecast.result();
+    result.processes   = Utilities::MPI::n_mpi_processes(communicator);
     return result;
   }
 
   template <int dim>
-  void Simulation<dim>::finish(const State       &state,
-                               const std::string &directory,
-                               const std::string &failure,
-                               Progress          &progress)
+  RunRecord Simulation<dim>::finish(const State       &state,
+                                    const std::string &directory,
+                                    const std::string &failure,
+                                    Progress          &progress)
   {
     RunRecord result = record(state);
     result.status    = failure.empty() ? "done" : "failed";
@@ -265,8 +328,39 @@ namespace Cautery
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       result.write(directory + "/summary.json");
     progress.say('\n' + result.text() + "Results        " + directory + '\n');
+    return result;
   }
 
   template class Simulation<2>;
   template class Simulation<3>;
+
+  RunRecord
+  run_scene(const Scene &scene, const MPI_Comm communicator, const std::string &directory, const Voice voice)
+  {
+    if (scene.dimension == 2)
+      return Simulation<2>(scene, communicator).run(directory, voice);
+    return Simulation<3>(scene, communicator).run(directory, voice);
+  }
+
+  namespace
+  {
+    template <int dim>
+    std::string checked(const Scene &scene, const MPI_Comm communicator)
+    {
+      Simulation<dim>    simulation(scene, communicator);
+      std::ostringstream out;
+      out << simulation.description();
+      const auto forecast = simulation.trial();
+      out << std::setprecision(3) << "Forecast       about " << forecast.seconds << " s and " << std::fixed
+          << std::setprecision(0) << 1e-6 * forecast.bytes << " MB, from a trial of the first "
+          << forecast.after_steps << (forecast.after_steps == 1 ? " step" : " steps")
+          << "\nThe scene is complete and consistent.\n";
+      return out.str();
+    }
+  } // namespace
+
+  std::string checked_scene(const Scene &scene, const MPI_Comm communicator)
+  {
+    return scene.dimension == 2 ? checked<2>(scene, communicator) : checked<3>(scene, communicator);
+  }
 } // namespace Cautery

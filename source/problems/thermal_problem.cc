@@ -50,24 +50,30 @@ namespace Cautery
     : scene(scene)
     , body(body)
     , cost(cost)
-    , heat(scene, body.nodes, body.tissues, body.boundaries, body.locator)
+    , heat(cost.build(
+        "heat: operators",
+        [&]() { return Heat<dim>(scene, body.nodes, body.tissues, body.boundaries, body.locator); }))
     , integrator(make_heat_integrator(scene, heat, cost))
   {
-    if (scene.effects.damage == Effects::Damage::critical_thermal_load)
-      gradients = std::make_unique<NodalGradients<dim>>(body.nodes, body.tissues);
     if (scene.effects.has_damage())
-      damage =
-        std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, gradients.get(), nullptr);
+      cost.build("damage: operators", [&]() {
+        if (scene.effects.damage == Effects::Damage::critical_thermal_load)
+          gradients = std::make_unique<NodalGradients<dim>>(body.nodes, body.tissues);
+        damage =
+          std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, gradients.get(), nullptr);
+      });
   }
 
   template <int dim>
   State ThermalProblem<dim>::start()
   {
     State state;
-    start_heat(scene, body.nodes, state);
+    cost.build("heat: start", [&]() { start_heat(scene, body.nodes, state); });
     if (damage)
-      damage->start(state);
-    books = std::make_unique<HeatBalance<dim>>(heat, nullptr, state, bookkeeping_rule<dim>(scene.time));
+      cost.build("damage: start", [&]() { damage->start(state); });
+    cost.build("heat: balance", [&]() {
+      books = std::make_unique<HeatBalance<dim>>(heat, nullptr, state, bookkeeping_rule<dim>(scene.time));
+    });
     return state;
   }
 

@@ -21,16 +21,21 @@ namespace Cautery
     : scene(scene)
     , body(body)
     , cost(cost)
-    , field(body.nodes, dim)
-    , heat(scene, body.nodes, body.tissues, body.boundaries, body.locator)
-    , statics(scene, body, field, cost)
+    , field(cost.build("deformation: operators", [&]() { return Field<dim>(body.nodes, dim); }))
+    , heat(cost.build(
+        "heat: operators",
+        [&]() { return Heat<dim>(scene, body.nodes, body.tissues, body.boundaries, body.locator); }))
+    , statics(cost.build("deformation: operators", [&]() { return Statics<dim>(scene, body, field, cost); }))
     , displacement_at_every_step(every_step(scene))
-    , gradients(body.nodes, body.tissues)
+    , gradients(
+        cost.build("deformation: operators", [&]() { return NodalGradients<dim>(body.nodes, body.tissues); }))
     , recovery(scene, gradients, field, body.tissues)
   {
     make_integrator();
     if (scene.effects.has_damage())
-      damage = std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, &gradients, &recovery);
+      cost.build("damage: operators", [&]() {
+        damage = std::make_unique<DamageHistory<dim>>(scene, body.nodes, body.tissues, &gradients, &recovery);
+      });
   }
 
   template <int dim>
@@ -38,8 +43,10 @@ namespace Cautery
   {
     if (scene.effects.coupling == Effects::Coupling::two_way)
       {
-        feedback =
-          std::make_unique<ThermoelasticFeedback<dim>>(body.nodes, field, body.tissues, heat.relaxes());
+        cost.build("coupling: operators", [&]() {
+          feedback =
+            std::make_unique<ThermoelasticFeedback<dim>>(body.nodes, field, body.tissues, heat.relaxes());
+        });
         integrator = std::make_unique<CoupledBackwardEuler<dim>>(
           scene.time, scene.numerics, heat, *statics.small, *statics.small->expansion(), *feedback, cost);
       }
@@ -58,7 +65,7 @@ namespace Cautery
   State ThermomechanicalProblem<dim>::start()
   {
     State state;
-    start_heat(scene, body.nodes, state);
+    cost.build("heat: start", [&]() { start_heat(scene, body.nodes, state); });
     state.displacement = field.vector();
     if (statics.small && statics.small->rate() != nullptr)
       state.displacement_rate = field.vector();
@@ -69,9 +76,11 @@ namespace Cautery
         solved_at = state.time;
       }
     if (damage)
-      damage->start(state);
-    books =
-      std::make_unique<HeatBalance<dim>>(heat, feedback.get(), state, bookkeeping_rule<dim>(scene.time));
+      cost.build("damage: start", [&]() { damage->start(state); });
+    cost.build("heat: balance", [&]() {
+      books =
+        std::make_unique<HeatBalance<dim>>(heat, feedback.get(), state, bookkeeping_rule<dim>(scene.time));
+    });
     return state;
   }
 

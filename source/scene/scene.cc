@@ -111,6 +111,11 @@ namespace Cautery
       p.section("Numerics", [&]() { scene.numerics.parameters(p); });
       p.section("Damage", [&]() { scene.damage.parameters(p); });
       p.section("Output", [&]() { scene.output.parameters(p); });
+      p.section("Accuracy", [&]() { scene.accuracy.parameters(p); });
+      named_sections(p,
+                     "Accuracy",
+                     "Names of the ladders, each with a subsection where it needs one",
+                     scene.accuracy.ladders);
     }
 
     template <typename Item>
@@ -158,9 +163,10 @@ namespace Cautery
           scene.heat_sources.push_back(
             {name, Schedule(), made_from("Heat sources/" + name + "/Type", type, make_heat_source)});
         }
-      scene.boundaries   = named<Boundary>(text.peek_names("Boundaries", "outside"));
-      scene.loads.points = named<PointLoad>(text.peek_names("Loads", ""));
-      scene.tools        = named<Tool>(text.peek_names("Tools", ""));
+      scene.boundaries       = named<Boundary>(text.peek_names("Boundaries", "outside"));
+      scene.loads.points     = named<PointLoad>(text.peek_names("Loads", ""));
+      scene.tools            = named<Tool>(text.peek_names("Tools", ""));
+      scene.accuracy.ladders = named<LadderSettings>(text.peek_names("Accuracy", ""));
       return scene;
     }
 
@@ -221,9 +227,10 @@ namespace Cautery
     scene.tissues.back().name = "tissue";
     for (const auto &type : heat_source_types())
       scene.heat_sources.push_back({type, Schedule(), make_heat_source(type)});
-    scene.boundaries   = named<Boundary>({"outside"});
-    scene.loads.points = named<PointLoad>({"pull"});
-    scene.tools        = named<Tool>({"forceps"});
+    scene.boundaries       = named<Boundary>({"outside"});
+    scene.loads.points     = named<PointLoad>({"pull"});
+    scene.tools            = named<Tool>({"forceps"});
+    scene.accuracy.ladders = named<LadderSettings>({"mesh"});
 
     ParameterHandler handler;
     Parameters       declaring(handler, Parameters::Mode::declare);

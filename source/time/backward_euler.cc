@@ -21,14 +21,15 @@ namespace Cautery
     // Lengths that differ by rounding alone would each cost a factorisation.
     if (std::abs(length - system_length) <= 1e-9 * length)
       return false;
-    const auto scope = cost.measure(name() + ": set-up");
-    system_length    = length;
-    system.copy_from(equation.stiffness().reduced);
-    system *= length;
-    if (equation.damping() != nullptr)
-      system.add(1., equation.damping()->reduced);
-    if (equation.inertia() != nullptr)
-      system.add(1. / length, equation.inertia()->reduced);
+    system_length = length;
+    cost.build(name() + ": set-up", [&]() {
+      system.copy_from(equation.stiffness().reduced);
+      system *= length;
+      if (equation.damping() != nullptr)
+        system.add(1., equation.damping()->reduced);
+      if (equation.inertia() != nullptr)
+        system.add(1. / length, equation.inertia()->reduced);
+    });
     return true;
   }
 
@@ -133,10 +134,7 @@ namespace Cautery
   {
     repeat_until_settled(step, state, [&]() -> Vector & {
       if (prepare(step.length()))
-        {
-          const auto scope = cost.measure(name() + ": set-up");
-          solver.set_matrix(system);
-        }
+        cost.build(name() + ": set-up", [&]() { solver.set_matrix(system); });
       update_right_hand_side(step, state);
       const auto scope = cost.measure(name() + ": solve");
       n_iterations += solver.solve(rate, force);

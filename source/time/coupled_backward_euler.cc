@@ -87,14 +87,11 @@ namespace Cautery
   void CoupledBackwardEuler<dim>::prepare(const double new_length, const State &state)
   {
     if (heat.prepare(new_length))
-      {
-        const auto scope = cost.measure("heat: set-up");
-        heat_solver.set_matrix(heat.system_matrix());
-      }
+      cost.build("heat: set-up", [&]() { heat_solver.set_matrix(heat.system_matrix()); });
     if (!deformation.prepare(new_length))
       return;
-    const auto scope = cost.measure("deformation: set-up");
-    deformation_solver.set_matrix(deformation.system_matrix());
+    cost.build("deformation: set-up", [&]() { deformation_solver.set_matrix(deformation.system_matrix()); });
+    const auto scope = cost.measure("coupling: set-up");
     cooling.copy_from(feedback.matrix());
     if (feedback.relaxes())
       cooling.add(1. / new_length, feedback.relaxed_matrix());

@@ -19,10 +19,11 @@ namespace Cautery
             const auto scope = cost.measure(equation.name() + ": assembly");
             equation.refresh(state, x);
           }
-        const auto scope = cost.measure(equation.name() + ": set-up");
-        solver.set_matrix(equation.stiffness().reduced);
-        for (auto *vector : {&force, &solution, &product})
-          vector->reinit(x);
+        cost.build(equation.name() + ": set-up", [&]() {
+          solver.set_matrix(equation.stiffness().reduced);
+          for (auto *vector : {&force, &solution, &product})
+            vector->reinit(x);
+        });
         ready = true;
       }
 

@@ -34,7 +34,8 @@ def main(cautery):
     defaults = {}
     for path, value, _ in prm.entries(reference):
         defaults.setdefault(prm.general(path), value)
-    for file in sorted(pathlib.Path(__file__).parent.glob("*.prm")):
+    scenes = pathlib.Path(__file__).parent
+    for file in sorted([*scenes.glob("*.prm"), *(scenes.parent / "study").glob("*.prm")]):
         for path, value, _ in prm.entries(file.read_text()):
             users.setdefault((prm.general(path), value), set()).add(file.stem)
     missing = []

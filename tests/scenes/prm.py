@@ -2,7 +2,7 @@
 """Reads scenes (.prm) and the parameter reference."""
 import re
 
-NAMED = ("Tissues", "Heat sources", "Boundaries", "Loads", "Tools")  # sections with a subsection for each name
+NAMED = ("Tissues", "Heat sources", "Boundaries", "Loads", "Tools", "Accuracy")  # sections with a subsection for each name
 
 
 def entries(text):

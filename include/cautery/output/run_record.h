@@ -3,6 +3,7 @@
 
 #include <cautery/base/cost.h>
 #include <cautery/output/extremes.h>
+#include <cautery/output/forecast.h>
 #include <cautery/physics/heat_balance.h>
 #include <cautery/scene/scene.h>
 
@@ -45,12 +46,27 @@ namespace Cautery
     };
     std::optional<Ablation> ablation;
 
-    double                        wall_seconds     = 0.;
-    double                        seconds_per_step = 0.; ///< mean over the time loop without output
-    std::map<std::string, double> seconds_by_part;
-    std::map<std::string, double> seconds_by_effect;
-    double                        peak_memory = 0.; ///< over all processes, bytes
-    unsigned int                  processes   = 1;
+    double                          wall_seconds     = 0.;
+    double                          seconds_per_step = 0.; ///< mean over the time loop without output
+    std::map<std::string, double>   seconds_by_part;
+    std::map<std::string, double>   seconds_by_effect;
+    std::map<std::string, double>   bytes_by_effect;  ///< of what is built once, over all processes
+    double                          peak_memory = 0.; ///< over all processes, bytes
+    unsigned int                    processes   = 1;
+    std::optional<Forecast::Result> forecast; ///< none: the run was shorter than a trial
+
+    /// What an effect, or another part of a run, took.
+    struct Share
+    {
+      std::string             effect;
+      double                  seconds  = 0.;
+      double                  share    = 0.; ///< of the wall time
+      double                  bytes    = 0.; ///< of what is built once
+      types::global_dof_index unknowns = 0;
+    };
+
+    /** The ledger, dearest first; last what no part accounts for. */
+    std::vector<Share> ledger() const;
 
     /** Replaces @p file_name in one go. Errors: ExcRun. */
     void write(const std::string &file_name) const;

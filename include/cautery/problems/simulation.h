@@ -3,6 +3,7 @@
 
 #include <cautery/output/ablation_zone.h>
 #include <cautery/output/extremes.h>
+#include <cautery/output/forecast.h>
 #include <cautery/output/probes.h>
 #include <cautery/output/progress.h>
 #include <cautery/output/run_record.h>
@@ -14,6 +15,13 @@
 
 namespace Cautery
 {
+  /// What a run says beside its files.
+  enum class Voice
+  {
+    speaks,
+    silent
+  };
+
   /**
    * A run: the problem, its course in time, and those who look at it.
    */
@@ -27,20 +35,27 @@ namespace Cautery
     /** What it is going to do: effects, mesh, unknowns, memory, steps. */
     std::string description() const;
 
-    /** Makes the state at the start, as a run does, and forgets it. Errors: ExcInput, ExcRun. */
-    void check() { problem->start(); }
+    /**
+     * What a run is going to cost, from a trial of its first steps, whose files are removed again. The
+     * simulation is of no more use then. Errors: ExcInput, ExcRun.
+     */
+    Forecast::Result trial();
 
     /** Runs and writes into @p directory. Errors: ExcRun, after the last good state has been written. */
-    void run(const std::string &directory);
+    RunRecord run(const std::string &directory, const Voice voice = Voice::speaks);
 
   private:
-    void      prepare_directory(const std::string &directory) const;
+    void prepare_directory(const std::string &directory) const;
+    void prepare_outputs(const std::string &directory);
+    /// From the start to the end, or until the forecast is made.
+    void      go(State &state, Progress &progress, const bool only_trial);
     void      advance(State &state, const double stop, Progress &progress);
+    void      foretell(const double length, const double seconds, const double time);
     void      observe(State &state);
     void      observe_last_good();
     void      say_step(const State &state, Progress &progress) const; ///< collective
     RunRecord record(const State &state) const;
-    void
+    RunRecord
     finish(const State &state, const std::string &directory, const std::string &failure, Progress &progress);
 
     const Scene                                &scene;
@@ -52,8 +67,18 @@ namespace Cautery
     std::unique_ptr<AblationZone<dim>>          ablation;
     std::vector<std::unique_ptr<Observer<dim>>> others;
     Extremes                                    extremes;
+    Forecast                                    forecast;
     State                                       last_good;          ///< after the last complete step
     double                                      observed     = -1.; ///< s; when the outputs were last asked
     double                                      loop_seconds = 0.;
   };
+
+  /** A run of @p scene, in its dimension. Errors: as those of Simulation. */
+  RunRecord run_scene(const Scene       &scene,
+                      const MPI_Comm     communicator,
+                      const std::string &directory,
+                      const Voice        voice = Voice::speaks);
+
+  /** What it is going to do and to cost. Errors: as those of Simulation. */
+  std::string checked_scene(const Scene &scene, const MPI_Comm communicator);
 } // namespace Cautery

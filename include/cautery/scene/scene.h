@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cautery/laws/heat_sources.h>
+#include <cautery/scene/accuracy_settings.h>
 #include <cautery/scene/boundary.h>
 #include <cautery/scene/effects.h>
 #include <cautery/scene/mesh_settings.h>
@@ -49,6 +50,7 @@ namespace Cautery
     Numerics                numerics;
     DamageSettings          damage;
     OutputSettings          output;
+    AccuracySettings        accuracy;
 
     std::string complete_text; ///< all entries with their values, ready to be run again
 

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/study/accuracy_study.h>
+#include <cautery/study/study_progress.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace Cautery
+{
+  namespace
+  {
+    std::string folder_of(const std::string &ladder, const unsigned int rung)
+    {
+      std::string name = ladder + "_" + std::to_string(rung);
+      std::replace_if(
+        name.begin(), name.end(), [](const char c) { return c == '/' || c == ' '; }, '_');
+      return name;
+    }
+
+    /// Of quantity @p q, ladder by ladder, without the runs that failed.
+    std::vector<std::vector<Series>> answers_by_ladder(const AccuracyResult &result, const unsigned int q)
+    {
+      std::vector<std::vector<Series>> answers(result.ladders.size());
+      for (unsigned int l = 0; l < result.ladders.size(); ++l)
+        for (const auto &row : result.rows)
+          if (row.ladder == result.ladders[l].name && row.outcome.succeeded())
+            answers[l].push_back(row.outcome.answers[q]);
+      return answers;
+    }
+
+    Series exact_series(const std::string &text, const Series &like)
+    {
+      const Expression expression(text);
+      Series           series = like;
+      for (unsigned int i = 0; i < series.times.size(); ++i)
+        series.values[i] = expression.value(Point<3>(), series.times[i]);
+      return series;
+    }
+
+    void find_references(AccuracyResult         &result,
+                         const AccuracySettings &settings,
+                         const Outcome          &base,
+                         const Outcome          *finer,
+                         const Outcome          *less_fine)
+    {
+      const auto exact = Utilities::split_string_list(settings.exact, ';');
+      AssertThrow(
+        settings.reference != AccuracySettings::Reference::exact || exact.size() == result.quantities.size(),
+        ExcInput("Accuracy/Exact values = " + settings.exact + ": there are " + std::to_string(exact.size()) +
+                 " for " + std::to_string(result.quantities.size()) + " quantities"));
+      for (unsigned int q = 0; q < result.quantities.size(); ++q)
+        switch (settings.reference)
+          {
+          case AccuracySettings::Reference::exact:
+            result.references.push_back({exact_series(exact[q], base.answers[q]), 0., "exact: " + exact[q]});
+            break;
+          case AccuracySettings::Reference::finer_run:
+            result.references.push_back({finer->answers[q],
+                                         finer->answers[q].distance(less_fine->answers[q]),
+                                         "a finer run: " + settings.finer_run});
+            break;
+          case AccuracySettings::Reference::richardson:
+            result.references.push_back(
+              richardson_reference(base.answers[q], result.ladders, answers_by_ladder(result, q)));
+          }
+    }
+
+    void require_success(const Outcome &outcome, const std::string &what)
+    {
+      AssertThrow(
+        outcome.succeeded(),
+        ExcInput("Accuracy: " + what + " fails, so nothing can be compared with it: " + outcome.message));
+    }
+  } // namespace
+
+  std::vector<double> AccuracyResult::tolerances(const unsigned int q, const AccuracySettings &settings) const
+  {
+    std::vector<double> tolerances = settings.tolerances;
+    if (tolerances.empty())
+      for (const double share : {1., 0.1, 0.01})
+        tolerances.push_back(quantities[q].is_temperature() ? share :
+                                                              0.1 * share * references[q].answer.size());
+    std::sort(tolerances.rbegin(), tolerances.rend());
+    return tolerances;
+  }
+
+  const AccuracyResult::Row *AccuracyResult::cheapest(const unsigned int q, const double tolerance) const
+  {
+    const Row *best = nullptr;
+    for (const auto &row : rows)
+      if (row.outcome.succeeded() && row.errors[q] <= tolerance &&
+          (best == nullptr || row.outcome.seconds < best->outcome.seconds))
+        best = &row;
+    return best;
+  }
+
+  bool AccuracyResult::on_pareto_front(const Row &row, const unsigned int q) const
+  {
+    return row.outcome.succeeded() && std::none_of(rows.begin(), rows.end(), [&](const Row &other) {
+             return other.outcome.succeeded() && other.outcome.seconds < row.outcome.seconds &&
+                    other.errors[q] <= row.errors[q];
+           });
+  }
+
+  AccuracyResult study_accuracy(const Origin      &origin,
+                                const Scene       &scene,
+                                const std::string &directory,
+                                const MPI_Comm     communicator)
+  {
+    AccuracyResult result;
+    result.title      = scene.title;
+    result.processes  = Utilities::MPI::n_mpi_processes(communicator);
+    result.quantities = quantities_of(scene);
+    result.ladders    = make_ladders(origin, scene, result.left_out);
+
+    const bool   speaks    = Utilities::MPI::this_mpi_process(communicator) == 0;
+    const bool   has_finer = scene.accuracy.reference == AccuracySettings::Reference::finer_run;
+    unsigned int n_runs    = has_finer ? 3 : 1;
+    for (const auto &ladder : result.ladders)
+      n_runs += ladder.rungs.size();
+    if (speaks)
+      std::cout << (scene.title.empty() ? "" : scene.title + "\n") << "What accuracy costs: " << n_runs
+                << " runs below " << directory << std::endl;
+
+    StudyProgress progress(n_runs, speaks);
+    Runner     runner(origin, result.quantities, scene.accuracy.repeats, directory + "/runs", communicator);
+    const auto run =
+      [&](const std::string &folder, const std::string &what, const std::vector<Override> &changes) {
+        const Outcome outcome = runner.run(folder, changes);
+        progress.say(what, outcome);
+        return outcome;
+      };
+
+    result.rows.push_back({"scene", {"as it is", {}}, run("scene", "the scene as it is", {}), {}});
+    require_success(result.rows.front().outcome, "the scene as it is");
+    for (unsigned int q = 0; q < result.quantities.size(); ++q)
+      AssertThrow(result.rows.front().outcome.answers[q].values.size() > 0,
+                  ExcInput("Accuracy/Quantities: there is no `" + result.quantities[q].text() +
+                           "` in probes.csv or summary.json below " + directory +
+                           "/runs/scene; a probe's is " +
+                           "`PROBE COLUMN` or `PROBE COLUMN at TIME`, a number of the summary its path"));
+    for (const auto &ladder : result.ladders)
+      for (unsigned int i = 0; i < ladder.rungs.size(); ++i)
+        result.rows.push_back({ladder.name,
+                               ladder.rungs[i],
+                               run(folder_of(ladder.name, i),
+                                   ladder.name + ": " + ladder.rungs[i].label,
+                                   ladder.rungs[i].changes),
+                               {}});
+    Outcome finer, less_fine;
+    if (has_finer)
+      {
+        const auto changes = parse_changes(scene.accuracy.finer_run, "Accuracy/Finer run");
+        auto       coarser = changes;
+        const auto more    = coarsened(origin.scene(changes));
+        coarser.insert(coarser.end(), more.begin(), more.end());
+        less_fine = run("less_fine", "reference, coarsened", coarser);
+        finer     = run("finer", "reference", changes);
+        require_success(less_fine, "the reference, coarsened,");
+        require_success(finer, "the reference");
+      }
+
+    const Outcome base = result.rows.front().outcome;
+    find_references(result, scene.accuracy, base, &finer, &less_fine);
+    for (auto &row : result.rows)
+      if (row.outcome.succeeded())
+        for (unsigned int q = 0; q < result.quantities.size(); ++q)
+          row.errors.push_back(row.outcome.answers[q].distance(result.references[q].answer));
+    return result;
+  }
+} // namespace Cautery

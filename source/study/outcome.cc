@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/version.h>
+#include <cautery/problems/simulation.h>
+#include <cautery/study/outcome.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace Cautery
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    /// Written last, and in one go: a folder that has it is finished.
+    const std::string finished = "/outcome.json";
+
+    std::string content(const std::string &file_name)
+    {
+      std::ifstream file(file_name);
+      return std::string(std::istreambuf_iterator<char>(file), {});
+    }
+
+    Json summary_of(const std::string &folder) { return Json::parse(content(folder + "/summary.json")); }
+  } // namespace
+
+  Runner::Runner(const Origin                &origin,
+                 const std::vector<Quantity> &quantities,
+                 const unsigned int           repeats,
+                 const std::string           &directory,
+                 const MPI_Comm               communicator)
+    : origin(origin)
+    , quantities(quantities)
+    , repeats(repeats)
+    , directory(directory)
+    , communicator(communicator)
+  {
+  }
+
+  Scene Runner::scene_of(const std::vector<Override> &changes) const
+  {
+    auto all = changes;
+    // pictures are not what a study compares, and the mesh and steps are the study's to choose
+    all.push_back({"Output/Fields", "false"});
+    all.push_back({"Accuracy/Temperature within", "0"});
+    return origin.scene(all);
+  }
+
+  bool Runner::is_finished(const std::string &folder, const Scene &scene) const
+  {
+    bool found = false;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        found =
+          content(folder + "/scene.prm") == scene.complete_text && std::filesystem::exists(folder + finished);
+        if (found)
+          {
+            const auto outcome = Json::parse(content(folder + finished), nullptr, false);
+            found              = !outcome.is_discarded() && outcome.at("version") == version &&
+                    outcome.at("seconds").size() >= repeats &&
+                    outcome.at("processes") == Utilities::MPI::n_mpi_processes(communicator);
+          }
+      }
+    return Utilities::MPI::broadcast(communicator, found, 0);
+  }
+
+  void Runner::carry_out(const Scene &scene, const std::string &folder)
+  {
+    Json outcome = {{"version", version},
+                    {"processes", Utilities::MPI::n_mpi_processes(communicator)},
+                    {"seconds", Json::array()}};
+    for (unsigned int i = 0; i < repeats; ++i)
+      {
+        double seconds = 0.;
+        try
+          {
+            seconds = run_scene(scene, communicator, folder, Voice::silent).wall_seconds;
+          }
+        catch (const ExcRun &)
+          {
+            // summary.json has the reason
+          }
+        outcome["seconds"].push_back(seconds);
+      }
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    {
+      std::ofstream file(folder + finished + ".part");
+      file << outcome.dump(2) << '\n';
+      AssertThrow(file, ExcRun("cannot write into " + folder + ": is the disk full?"));
+    }
+    std::filesystem::rename(folder + finished + ".part", folder + finished);
+  }
+
+  Outcome Runner::read(const std::string &folder) const
+  {
+    Outcome    outcome;
+    const Json summary = summary_of(folder);
+    outcome.message    = summary.at("message").get<std::string>();
+    auto seconds       = Json::parse(content(folder + finished)).at("seconds").get<std::vector<double>>();
+    std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
+    outcome.seconds = seconds[seconds.size() / 2];
+    outcome.bytes   = summary.at("cost").at("peak_memory_bytes").get<double>();
+    outcome.steps   = summary.at("time_steps").get<unsigned int>();
+    for (const auto &number : summary.at("unknowns"))
+      outcome.unknowns += number.get<types::global_dof_index>();
+    if (outcome.succeeded())
+      for (const auto &quantity : quantities)
+        outcome.answers.push_back(quantity.read(folder));
+    return outcome;
+  }
+
+  Outcome Runner::run(const std::string &name, const std::vector<Override> &changes)
+  {
+    const Scene scene           = scene_of(changes);
+    const auto [place, unknown] = folders.emplace(scene.complete_text, directory + "/" + name);
+    const std::string &folder   = place->second;
+    const bool         is_new   = unknown && !is_finished(folder, scene);
+    if (is_new)
+      {
+        if (Utilities::MPI::this_mpi_process(communicator) == 0)
+          std::filesystem::remove(folder + finished);
+        carry_out(scene, folder);
+        MPI_Barrier(communicator);
+      }
+    Outcome outcome = read(folder); // by every process: small files, already closed
+    outcome.is_new  = is_new;
+    return outcome;
+  }
+} // namespace Cautery
