@@ -3,7 +3,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <iostream>
 #include <malloc.h>
 
 namespace Cautery
@@ -21,18 +20,11 @@ namespace Cautery
 
   Cost::Growth::~Growth() { sum += heap() - before; }
 
-  Cost::Cost() : timer(std::cout, TimerOutput::never, TimerOutput::wall_times) {}
-
-  std::map<std::string, double> Cost::seconds_by_part() const
-  {
-    return timer.get_summary_data(TimerOutput::total_wall_time);
-  }
-
   std::map<std::string, double> Cost::seconds_by_effect() const
   {
     std::map<std::string, double> effects;
-    for (const auto &[part, seconds] : seconds_by_part())
-      effects[effect_of(part)] += seconds;
+    for (const auto &[part, spent] : seconds)
+      effects[effect_of(part)] += spent;
     return effects;
   }
 

@@ -121,7 +121,7 @@ namespace Cautery
           out << line;
           for (const auto &[seconds, work] : works(record, share.effect))
             {
-              std::snprintf(line, sizeof(line), "    %-18s %9.3f\n", work.c_str(), seconds);
+              std::snprintf(line, sizeof(line), "    %-22s %7.3f\n", work.c_str(), seconds);
               out << line;
             }
         }

@@ -99,6 +99,7 @@ namespace Cautery
   template <int dim>
   void Simulation<dim>::prepare_outputs(const std::string &directory)
   {
+    const auto scope = cost.measure("output: files");
     prepare_directory(directory);
     probes->write_to(directory + "/probes.csv");
     if (scene.output.reactions)
@@ -166,7 +167,10 @@ namespace Cautery
     Progress progress(voice == Voice::speaks && Utilities::MPI::this_mpi_process(communicator) == 0,
                       directory + "/log.txt",
                       scene.time.end);
-    progress.say(description());
+    {
+      const auto scope = cost.measure("output: files");
+      progress.say(description());
+    }
     try
       {
         go(state, progress, false);
@@ -216,8 +220,11 @@ namespace Cautery
     AssertThrow(
       !scene.effects.has_heat() || std::isfinite(state.temperature.l1_norm()),
       ExcRun("the temperature is not finite at t = " + to_text(state.time) + " s; take a smaller Time/Step"));
-    extremes.observe(state, dim);
-    last_good = state;
+    {
+      const auto scope = cost.measure("output: extremes, last good state");
+      extremes.observe(state, dim);
+      last_good = state;
+    }
     if (scene.output.every_step)
       say_step(state, progress);
     else

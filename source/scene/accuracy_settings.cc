@@ -23,7 +23,7 @@ namespace Cautery
             ratio,
             "",
             "Of the lengths (cell, step) of neighbouring rungs, for observed orders",
-            Bounds{1., 1000., true, false});
+            Bounds{1., 1e6, true, false});
     if (p.reading() && entries.empty() != rungs.empty())
       p.reject(entries.empty() ? "Rungs" : "Entries",
                entries.empty() ? rungs : join(entries),

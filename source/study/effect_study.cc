@@ -19,7 +19,7 @@ namespace Cautery
 
     using Changes = std::vector<Override>;
 
-    const Override no_stop        = {"Effects/Perfusion stops in dead tissue", "false"};
+    const Override no_stop        = {"Effects/Perfusion stops in dead tissue", "off"};
     const Override no_coupling    = {"Effects/Coupling", "off"};
     const Override plain_damage   = {"Effects/Damage", "Arrhenius"};
     const Override reference_body = {"Effects/Conduction in", "reference body"};
@@ -29,8 +29,8 @@ namespace Cautery
     {
       Changes changes = {{"Effects/Deformation", "off"},
                          no_coupling,
-                         {"Effects/Gravity", "false"},
-                         {"Output/Reactions", "false"},
+                         {"Effects/Gravity", "off"},
+                         {"Output/Reactions", "off"},
                          reference_body};
       if (effects.damage_needs_strain_energy())
         changes.push_back(plain_damage);
@@ -40,7 +40,7 @@ namespace Cautery
     /// Constants, of body temperature, instead of what depends on temperature.
     Changes constant_properties(const Scene &scene)
     {
-      Changes      changes = {{"Effects/Temperature-dependent properties", "false"}};
+      Changes      changes = {{"Effects/Temperature-dependent properties", "off"}};
       const double start   = scene.initial_temperature.value(Point<3>(), 0.);
       for (const auto &tissue : scene.tissues)
         for (const auto &[name, property] :
@@ -58,9 +58,9 @@ namespace Cautery
       if (effects.heat == Effects::Heat::non_fourier)
         variants.push_back({"lag of the flux (Fourier instead)", {{"Effects/Heat", "Fourier"}}});
       if (effects.heat_sources)
-        variants.push_back({"heat sources", {{"Effects/Heat sources", "false"}}});
+        variants.push_back({"heat sources", {{"Effects/Heat sources", "off"}}});
       if (effects.perfusion)
-        variants.push_back({"perfusion", {no_stop, {"Effects/Perfusion", "false"}}});
+        variants.push_back({"perfusion", {no_stop, {"Effects/Perfusion", "off"}}});
       if (effects.perfusion_stops_in_dead_tissue)
         variants.push_back({"end of perfusion in dead tissue", {no_stop}});
       if (effects.metabolism != Effects::Metabolism::off)
@@ -89,7 +89,7 @@ namespace Cautery
       if (effects.coupling != Effects::Coupling::off)
         variants.push_back({"thermal expansion", {no_coupling}});
       if (effects.gravity)
-        variants.push_back({"gravity", {{"Effects/Gravity", "false"}}});
+        variants.push_back({"gravity", {{"Effects/Gravity", "off"}}});
     }
 
     /// The answers that are compared: the scene's own, and always these where the scene has them.

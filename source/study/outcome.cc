@@ -19,6 +19,9 @@ namespace Cautery
     /// Written last, and in one go: a folder that has it is finished.
     const std::string finished = "/outcome.json";
 
+    /// A run so short may be made once more.
+    constexpr double negligible = 0.5; // s
+
     std::string content(const std::string &file_name)
     {
       std::ifstream file(file_name);
@@ -45,7 +48,7 @@ namespace Cautery
   {
     auto all = changes;
     // pictures are not what a study compares, and the mesh and steps are the study's to choose
-    all.push_back({"Output/Fields", "false"});
+    all.push_back({"Output/Fields", "off"});
     all.push_back({"Accuracy/Temperature within", "0"});
     return origin.scene(all);
   }
@@ -70,22 +73,27 @@ namespace Cautery
 
   void Runner::carry_out(const Scene &scene, const std::string &folder)
   {
-    Json outcome = {{"version", version},
-                    {"processes", Utilities::MPI::n_mpi_processes(communicator)},
-                    {"seconds", Json::array()}};
-    for (unsigned int i = 0; i < repeats; ++i)
-      {
-        double seconds = 0.;
-        try
-          {
-            seconds = run_scene(scene, communicator, folder, Voice::silent).wall_seconds;
-          }
-        catch (const ExcRun &)
-          {
-            // summary.json has the reason
-          }
-        outcome["seconds"].push_back(seconds);
-      }
+    Json       outcome = {{"version", version},
+                          {"processes", Utilities::MPI::n_mpi_processes(communicator)},
+                          {"seconds", Json::array()}};
+    const auto run     = [&]() {
+      try
+        {
+          return run_scene(scene, communicator, folder, Voice::silent).wall_seconds;
+        }
+      catch (const ExcRun &)
+        {
+          return 0.; // summary.json has the reason
+        }
+    };
+    // the first run of a process pays for what the others find in memory
+    double seconds = run();
+    if (!is_warm && seconds < negligible)
+      seconds = run();
+    is_warm = true;
+    outcome["seconds"].push_back(seconds);
+    for (unsigned int i = 1; i < repeats; ++i)
+      outcome["seconds"].push_back(run());
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     {

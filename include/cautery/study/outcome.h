@@ -55,5 +55,6 @@ namespace Cautery
     const std::string                  directory;
     const MPI_Comm                     communicator;
     std::map<std::string, std::string> folders; ///< by complete scene
+    bool                               is_warm = false;
   };
 } // namespace Cautery
