@@ -42,10 +42,10 @@ namespace Cautery
       {
         if (!ida)
           return {{"Time/Step", to_text(step / std::pow(2., level))}};
-        const double tolerance = 1e-3 / std::pow(10., level);
+        const int exponent = -3 - static_cast<int>(level);
         return {{"Time/Integrator", "IDA"},
-                {"Time/Relative tolerance", to_text(tolerance)},
-                {"Time/Absolute tolerance", to_text(10. * tolerance)}};
+                {"Time/Relative tolerance", to_text(std::pow(10., exponent))},
+                {"Time/Absolute tolerance", to_text(std::pow(10., exponent + 1))}};
       }
 
       /// How much more wrong a level is than the next one that differs from it by @p distance.

@@ -182,7 +182,7 @@ def meshes_converge_to_the_steady_slab(study):
         linear = [float(row["error"]) for row in cells("both", probe) if row["setting"].startswith("1,")]
         assert len(quadratic) == len(linear) == 4 and all(
             q < 0.2 * p for q, p in zip(quadratic[1:], linear[1:]))
-    outcome = json.loads(pathlib.Path("slab/runs/cells_0/outcome.json").read_text())
+    outcome = json.loads(pathlib.Path("slab/runs/cells_1/outcome.json").read_text())
     assert len(outcome["seconds"]) == 2, outcome
 
 
