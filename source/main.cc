@@ -182,7 +182,8 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     catch (const ExcInput &exception)
       {
         const std::string message = message_of(exception);
-        AssertThrow(false, ExcInput(message.rfind(line.scene, 0) == 0 ? message : line.scene + ": " + message));
+        AssertThrow(false,
+                    ExcInput(message.rfind(line.scene, 0) == 0 ? message : line.scene + ": " + message));
       }
   }
 

@@ -19,11 +19,12 @@ import large_cases
 import mesh_cases
 import run_cases
 import scene_cases
+import study_cases
 from case import write_files
 
 GROUPS = {"values": scene_cases.VALUES, "names": scene_cases.NAMES, "mesh": mesh_cases.MESH,
           "effects": effect_cases.EFFECTS, "time": effect_cases.TIME, "large": large_cases.LARGE, "command_line": run_cases.COMMAND_LINE,
-          "accepted": run_cases.ACCEPTED, "numerical": run_cases.NUMERICAL}
+          "accepted": run_cases.ACCEPTED, "study": study_cases.STUDY, "numerical": run_cases.NUMERICAL}
 
 
 def run(program, words, folder):
@@ -70,7 +71,7 @@ def wrong(program, case, folder):
     fails_later = case.last_good is not None
     found = []
     if case.check_too:
-        found += wrong_answer(case, 0 if fails_later else case.status, run(program, ["check", *case.words()], folder))
+        found += wrong_answer(case, case.status, run(program, ["check", *case.words()], folder))
         if (folder / "out").exists():
             found.append("`check` wrote an output directory")
     found += wrong_answer(case, case.status, run(program, case.words(), folder))
