@@ -4,20 +4,26 @@ from runs import FIELDS, Run, axes_of, finish, maps, zones
 
 
 def cube_by_differences():
-    """Figures 11, 12, 17, 18, 19."""
+    """Figures 11, 12, 16 to 19."""
     run = Run("ch4_cube_fourier")
-    figure, axes = axes_of(4, 18)
+    figure, axes = axes_of(3, 14, rows=2)
     for probe, name in (("H1", "y = 3 mm"), ("H2", "4 mm"), ("P1", "5 mm"), ("H4", "6 mm"), ("H5", "7 mm")):
-        axes[0].plot(*run.course(probe, "temperature_K"), label=name)
+        axes[0].plot(*run.course(probe, "temperature_K"), "--" if probe in ("H4", "H5") else "-", label=name)
     axes[0].set(xlabel="time, s", ylabel="temperature, K", title="Figure 11")
     for time in (10, 50, 120):
         axes[1].plot(*run.along(time, "temperature_K"), "o-", label=f"{time} s")
-        axes[2].plot(*run.along(time, "displacement_x_m", 1e6), "o-", label=f"{time} s")
-    axes[1].set(xlabel="distance from the centre, mm", ylabel="temperature, K", title="Figure 12")
-    axes[2].set(xlabel="distance from the centre, mm", ylabel="displacement along x, µm", title="Figures 17 and 18")
+        axes[4].plot(*run.along(time, "displacement_x_m", 1e6), "o-", label=f"{time} s")
+    axes[1].set(xlabel="distance from the centre, mm", ylabel="temperature, K", title="Figures 12 and 18")
+    axes[4].set(xlabel="distance from the centre, mm", ylabel="displacement along x, µm", title="Figure 18")
+    for letter, style in zip("xyz", ("-", "-", "--")):
+        axes[2].plot(run.column("P2", "temperature_K"), [1e6 * u for u in run.column("P2", f"displacement_{letter}_m")],
+                     style, label=f"along {letter}")
+    axes[2].set(xlabel="temperature at P2, K", ylabel="displacement of P2, µm", title="Figure 16")
     for probe in ("P1", "P2", "P3", "P4"):
-        axes[3].plot(*run.course(probe, "strain_xx"), label=probe)
-    axes[3].set(xlabel="time, s", ylabel="strain xx", title="Figure 19")
+        axes[3].plot(*run.course(probe, "displacement_x_m", 1e6), label=probe)
+        axes[5].plot(*run.course(probe, "strain_xx"), label=probe)
+    axes[3].set(xlabel="time, s", ylabel="displacement along x, µm", title="Figure 17")
+    axes[5].set(xlabel="time, s", ylabel="strain xx", title="Figure 19")
     finish(figure, axes, "cube_by_differences")
 
 
@@ -36,26 +42,16 @@ def cube_displacements():
     for axis, letter in enumerate("xyz"):
         planes = []
         for at in (0.001, 0.009):
-            triangles, vectors = run.plane(120, "displacement_m", axis=axis, at=at)
-            planes.append((f"{letter} = {1e3 * at:g} mm", (triangles, 1e6 * vectors[:, axis])))
+            section = run.plane(120, "displacement_m", axis=axis, at=at)
+            planes.append((f"Figure {13 + axis}: {letter} = {1e3 * at:g} mm", section.along(axis) * 1e6))
         rows.append((f"displacement along {letter}, µm", planes))
     maps("cube_displacements", rows)
-
-
-def displacement_against_temperature():
-    """Figure 16."""
-    run = Run("ch4_cube_fourier", "Output/Interval=1")
-    figure, axes = axes_of()
-    for letter in "xyz":
-        axes[0].plot(run.column("P2", "temperature_K"), [1e6 * u for u in run.column("P2", f"displacement_{letter}_m")],
-                     label=f"along {letter}")
-    finish(figure, axes, "displacement_against_temperature", xlabel="temperature at P2, K", ylabel="displacement of P2, µm",
-           title="Figure 16")
 
 
 def strain_energies():
     """Figures 22 and 23."""
     maps("strain_energies", [
-        (f"type {name}, strain energy, J/m³",
-         [(f"{time} s", Run(f"ch5_damage_type_{number}", *FIELDS).plane(time, "strain_energy_J_per_m3"))
-          for time in (10, 120)]) for number, name in ((1, "I"), (2, "II"))])
+        (f"strain energy, {unit}",
+         [(f"Figure {21 + number}: type {'I' * number}, {time} s",
+           Run(f"ch5_damage_type_{number}", *FIELDS).plane(time, "strain_energy_J_per_m3") * factor)
+          for time in (10, 120)]) for number, unit, factor in ((1, "J/m³", 1), (2, "kJ/m³", 1e-3))])

@@ -7,6 +7,8 @@ import csv
 import pathlib
 import sys
 
+from inner_force import PULL, inner_force
+
 RUNS = pathlib.Path(sys.argv[2])
 
 
@@ -54,6 +56,16 @@ def isotropic_tissue_is_pulled_furthest():
     ends = {law: displacement("ch7_mechanical_" + law)[-1] for law in ("fibres", "linear", "neo_hookean")}
     print(ends)
     assert ends["neo_hookean"] > ends["linear"] > ends["fibres"] > 0
+
+
+def inner_force_comes_to_the_pull():
+    """Figure 69: it grows towards the pull, and with fibres it is always larger than without."""
+    fibres, isotropic = (inner_force(course("ch7_mechanical_" + law, "time_s"), displacement("ch7_mechanical_" + law))[1]
+                         for law in ("fibres", "neo_hookean"))
+    print(f"with fibres {fibres[-1]:.3f}, without {isotropic[-1]:.3f} of {PULL} N")
+    for forces in (fibres, isotropic):
+        assert 0 < forces[0] and all(a < b for a, b in zip(forces, forces[1:])) and 0.8 * PULL < forces[-1] < PULL
+    assert all(a > b for a, b in zip(fibres, isotropic))
 
 
 def pulled_stress_is_near_the_printed_one():
