@@ -89,6 +89,7 @@ namespace Cautery
     Json cost_json(const RunRecord &record)
     {
       Json json = {{"wall_s", record.wall_seconds},
+                   {"processor_s", record.processor_seconds},
                    {"seconds_per_step", record.seconds_per_step},
                    {"seconds_by_part", record.seconds_by_part},
                    {"seconds_by_effect", record.seconds_by_effect},

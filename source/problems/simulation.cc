@@ -312,6 +312,7 @@ namespace Cautery
         result.ablation = zone;
       }
     result.wall_seconds      = cost.wall_seconds();
+    result.processor_seconds = Utilities::MPI::max(cost.processor_seconds(), communicator);
     result.seconds_per_step  = state.step > 0 ? loop_seconds / state.step : 0.;
     result.seconds_by_part   = cost.seconds_by_part();
     result.seconds_by_effect = cost.seconds_by_effect();

@@ -119,7 +119,7 @@ namespace Cautery
     void write_markdown(const AccuracyResult &result, const AccuracySettings &settings, std::ostream &out)
     {
       out << "# What accuracy costs" << (result.title.empty() ? "" : ": " + result.title) << "\n\n"
-          << "Wall time of whole runs on " << result.processes
+          << "Processor time of whole runs on " << result.processes
           << (result.processes == 1 ? " process" : " processes")
           << "; errors are the largest at all output times asked for. * : no other run is both cheaper and "
              "more "
@@ -184,7 +184,7 @@ namespace Cautery
     {
       out << "set terminal pngcairo size 900,600 font 'sans,11'\nset logscale xy\nset format xy '%g'\nset "
              "grid\n"
-             "set key outside right top\nset xlabel 'wall time, s'\n";
+             "set key outside right top\nset xlabel 'processor time, s'\n";
       const unsigned int blocks = result.ladders.size() + 1;
       for (unsigned int q = 0; q < result.quantities.size(); ++q)
         {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/cost.h>
 #include <cautery/base/version.h>
 #include <cautery/problems/simulation.h>
 #include <cautery/study/outcome.h>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace Cautery
 {
@@ -27,8 +29,6 @@ namespace Cautery
       std::ifstream file(file_name);
       return std::string(std::istreambuf_iterator<char>(file), {});
     }
-
-    Json summary_of(const std::string &folder) { return Json::parse(content(folder + "/summary.json")); }
   } // namespace
 
   Runner::Runner(const Origin                &origin,
@@ -64,7 +64,7 @@ namespace Cautery
           {
             const auto outcome = Json::parse(content(folder + finished), nullptr, false);
             found              = !outcome.is_discarded() && outcome.at("version") == version &&
-                    outcome.at("seconds").size() >= repeats &&
+                    (outcome.contains("refused") || outcome.at("seconds").size() >= repeats) &&
                     outcome.at("processes") == Utilities::MPI::n_mpi_processes(communicator);
           }
       }
@@ -77,26 +77,38 @@ namespace Cautery
                           {"processes", Utilities::MPI::n_mpi_processes(communicator)},
                           {"seconds", Json::array()}};
     const auto run     = [&]() {
+      Cost::forget_peak_memory();
       try
         {
-          return run_scene(scene, communicator, folder, Voice::silent).wall_seconds;
+          return run_scene(scene, communicator, folder, Voice::silent).processor_seconds;
         }
       catch (const ExcRun &)
         {
           return 0.; // summary.json has the reason
         }
     };
-    // the first run of a process pays for what the others find in memory
-    double seconds = run();
-    if (!is_warm && seconds < negligible)
-      seconds = run();
-    is_warm = true;
-    outcome["seconds"].push_back(seconds);
-    for (unsigned int i = 1; i < repeats; ++i)
-      outcome["seconds"].push_back(run());
+    try
+      {
+        // the first run of a process pays for what the others find in memory
+        double seconds = run();
+        if (!is_warm && seconds < negligible)
+          seconds = run();
+        is_warm = true;
+        outcome["seconds"].push_back(seconds);
+        for (unsigned int i = 1; i < repeats; ++i)
+          outcome["seconds"].push_back(run());
+      }
+    catch (const ExcInput &exception)
+      {
+        std::ostringstream reason;
+        exception.print_info(reason);
+        outcome["refused"] = Utilities::trim(reason.str());
+      }
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     {
+      std::filesystem::create_directories(folder); // a run that was refused has made none
+      std::ofstream(folder + "/scene.prm") << scene.complete_text;
       std::ofstream file(folder + finished + ".part");
       file << outcome.dump(2) << '\n';
       AssertThrow(file, ExcRun("cannot write into " + folder + ": is the disk full?"));
@@ -107,9 +119,15 @@ namespace Cautery
   Outcome Runner::read(const std::string &folder) const
   {
     Outcome    outcome;
-    const Json summary = summary_of(folder);
+    const Json cost = Json::parse(content(folder + finished));
+    if (cost.contains("refused"))
+      {
+        outcome.message = cost.at("refused").get<std::string>();
+        return outcome;
+      }
+    const Json summary = Json::parse(content(folder + "/summary.json"));
     outcome.message    = summary.at("message").get<std::string>();
-    auto seconds       = Json::parse(content(folder + finished)).at("seconds").get<std::vector<double>>();
+    auto seconds       = cost.at("seconds").get<std::vector<double>>();
     std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
     outcome.seconds = seconds[seconds.size() / 2];
     outcome.bytes   = summary.at("cost").at("peak_memory_bytes").get<double>();

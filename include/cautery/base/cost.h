@@ -56,7 +56,10 @@ namespace Cautery
     /** What has been built, on this process. */
     const std::map<std::string, double> &bytes_by_effect() const { return bytes; } ///< bytes
     double                               wall_seconds() const;                     ///< since construction, s
-    static double                        peak_memory();                            ///< of this process, bytes
+    double                               processor_seconds() const; ///< the same of this process
+    static double                        peak_memory();             ///< of this process, bytes
+    /** From now on `peak_memory` knows nothing of what was before, where the system allows that. */
+    static void forget_peak_memory();
 
   private:
     /// Adds what the heap grows by as long as this lives.

@@ -46,8 +46,9 @@ namespace Cautery
     };
     std::optional<Ablation> ablation;
 
-    double                          wall_seconds     = 0.;
-    double                          seconds_per_step = 0.; ///< mean over the time loop without output
+    double                          wall_seconds      = 0.;
+    double                          processor_seconds = 0.; ///< of the process that took most
+    double                          seconds_per_step  = 0.; ///< mean over the time loop without output
     std::map<std::string, double>   seconds_by_part;
     std::map<std::string, double>   seconds_by_effect;
     std::map<std::string, double>   bytes_by_effect;  ///< of what is built once, over all processes

@@ -14,7 +14,7 @@ namespace Cautery
   struct Outcome
   {
     std::string             message;       ///< why it failed; empty: it did not
-    double                  seconds  = 0.; ///< wall time, median of the repeats
+    double                  seconds  = 0.; ///< processor time, median of the repeats
     double                  bytes    = 0.; ///< most memory, of all processes
     unsigned int            steps    = 0;
     types::global_dof_index unknowns = 0;
@@ -25,6 +25,9 @@ namespace Cautery
   };
 
   /**
+   * Time is that of the processor, so that what else runs on the machine does not count; on a quiet one it is
+   * the wall time.
+   *
    * Runs variants of a scene, each in a folder of its own below one directory, once: what is there already,
    * of this program's version and for the same complete scene, is taken from there.
    */
@@ -38,7 +41,8 @@ namespace Cautery
            const MPI_Comm               communicator);
 
     /**
-     * Collective. A run that fails numerically is an outcome too. Errors: ExcInput.
+     * Collective. A run that fails, or that the mesh of the variant does not allow, is an outcome too.
+     * Errors: ExcInput where the entries do not fit the scene.
      * @param name of the folder.
      */
     Outcome run(const std::string &name, const std::vector<Override> &changes);
