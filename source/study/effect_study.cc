@@ -75,15 +75,20 @@ namespace Cautery
         variants.push_back({"deformation", without_deformation(effects)});
       if (effects.deformation == Effects::Deformation::inertia)
         variants.push_back({"inertia", {{"Effects/Deformation", "equilibrium"}}});
+      // with the capacity of explicit heat, so that nothing else changes
+      const auto at_rest = [](const std::string &deformation) {
+        return Changes{{"Effects/Deformation", deformation},
+                       reference_body,
+                       {"Time/Integrator", "backward Euler"},
+                       {"Numerics/Capacity matrix", "lumped"}};
+      };
       if (effects.deformation == Effects::Deformation::explicit_dynamics)
-        variants.push_back({"inertia (large equilibrium instead)",
-                            {{"Effects/Deformation", "large equilibrium"},
-                             reference_body,
-                             {"Time/Integrator", "backward Euler"}}});
+        variants.push_back({"inertia (large equilibrium instead)", at_rest("large equilibrium")});
       if (effects.has_large_deformation())
-        variants.push_back(
-          {"large deformation (small instead)",
-           {{"Effects/Deformation", "equilibrium"}, reference_body, {"Time/Integrator", "backward Euler"}}});
+        variants.push_back({"large deformation (small instead)",
+                            effects.deformation == Effects::Deformation::explicit_dynamics ?
+                              at_rest("equilibrium") :
+                              Changes{{"Effects/Deformation", "equilibrium"}}});
       if (effects.coupling == Effects::Coupling::two_way)
         variants.push_back({"cooling by expansion", {{"Effects/Coupling", "expansion"}}});
       if (effects.coupling != Effects::Coupling::off)
