@@ -2,6 +2,7 @@
 #include <cautery/base/flush_denormals.h>
 #include <cautery/time/backward_euler.h>
 #include <cautery/time/central_difference.h>
+#include <cautery/time/growth.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,16 +60,37 @@ namespace Cautery
     if (heat != nullptr)
       {
         heat->start(state);
-        CriticalStep<Number> heat_limit(body, nodes, Part::heat, heat->capacities());
-        longest_heat = longest_step(settings,
-                                    settings.heat_step,
-                                    heat->stable_step(heat_limit.largest_eigenvalue(values)),
-                                    settings.safety,
-                                    "Heat step",
-                                    state.time);
+        find_heat_limit(state.time);
       }
     if (motion != nullptr)
-      motion_limit->find(values, state.time);
+      {
+        motion_limit->find(values, state.time);
+        motion_limit_seen = motion_limit->times_found();
+      }
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::find_heat_limit(const double time)
+  {
+    CriticalStep<Number> limit(body, nodes, Part::heat, heat->capacities());
+    longest_heat = longest_step(settings,
+                                settings.heat_step,
+                                heat->stable_step(limit.largest_eigenvalue(values)),
+                                settings.safety,
+                                "Heat step",
+                                time);
+  }
+
+  /** Conduction in the deformed body changes with it, about as fast as the limit of motion. */
+  template <typename Number>
+  void CentralDifference<Number>::renew_heat_limit(const double time)
+  {
+    if (scene.effects.conduction != Effects::Conduction::deformed_body ||
+        motion_limit->times_found() == motion_limit_seen)
+      return;
+    const auto scope  = cost.measure("heat: stable step");
+    motion_limit_seen = motion_limit->times_found();
+    find_heat_limit(time);
   }
 
   template <typename Number>
@@ -77,6 +99,7 @@ namespace Cautery
     if (motion_limit->steps_left() > 0)
       return;
     const auto scope = cost.measure("deformation: stable step");
+    check_growth(nodes, values, far(), time);
     motion_limit->find(values, time);
   }
 
@@ -99,6 +122,7 @@ namespace Cautery
       {
         if (!heat->relaxes())
           heat->load(whole, values, loads);
+        renew_heat_limit(whole.from);
         advance_all(whole);
       }
     state.time = whole.to;
@@ -277,17 +301,13 @@ namespace Cautery
   template <typename Number>
   void CentralDifference<Number>::write(State &state) const
   {
+    check_growth(nodes, values, far(), state.time);
     if (motion != nullptr)
       {
         double *displacement = state.displacement.begin();
         for (std::uint32_t node = 0; node < nodes.n_own(); ++node)
           for (unsigned int c = 0; c < dim; ++c)
             displacement[dim * node + c] = values[node_record * node + c];
-        // small strain knows no inverted cell
-        const double far = state.displacement.linfty_norm();
-        AssertThrow(far < 1e3 * field.mesh().bounding_box().side_length(0),
-                    ExcRun("the motion grows without bounds (" + to_text(far) + " m at t = " +
-                           to_text(state.time) + " s); lower Numerics/Explicit/Safety factor, or damp it"));
       }
     if (heat != nullptr)
       for (std::uint32_t node = 0; node < nodes.n_own(); ++node)

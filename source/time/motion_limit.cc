@@ -8,9 +8,10 @@ namespace Cautery
 {
   namespace
   {
-    constexpr std::uint64_t shortest_interval = 100, longest_interval = 800;
-    constexpr double        hardly = 0.01; ///< a relative change
-  }                                        // namespace
+    constexpr std::uint64_t first_interval = 20, shortest_interval = 10, longest_interval = 800;
+    /// Relative changes from one look to the next. The safety factor must cover the larger one.
+    constexpr double hardly = 0.01, much = 0.04;
+  } // namespace
 
   double longest_step(const ExplicitSettings &settings,
                       const double            given,
@@ -39,22 +40,24 @@ namespace Cautery
                                    const std::vector<double> &masses)
     : settings(settings)
     , critical(body, nodes, TledBody<Number>::Part::motion, masses)
-    , interval(shortest_interval)
+    , interval(first_interval)
   {
   }
 
   template <typename Number>
   void MotionLimit<Number>::find(const Records &values, const double time)
   {
-    const double before = step;
-    const double stable = 2. / std::sqrt(critical.largest_eigenvalue(values));
+    const double before = stable;
+    stable              = 2. / std::sqrt(critical.largest_eigenvalue(values));
     const double share  = std::min(settings.safety, critical.steady_share());
     step                = longest_step(settings, settings.motion_step, stable, share, "Motion step", time);
-    if (std::abs(step - before) < hardly * before)
+    const double change = n_found > 0 ? std::abs(stable / before - 1.) : 0.5 * (hardly + much);
+    if (change < hardly)
       interval = std::min(2 * interval, longest_interval);
-    else
+    else if (change > much)
       interval = std::max(interval / 2, shortest_interval);
     next = n_steps + interval;
+    ++n_found;
   }
 
   template class MotionLimit<float>;

@@ -75,6 +75,28 @@ LARGE = [
          [*DYNAMICS, f"{TISSUE}/Young's modulus=3000", "Tools/Names=forceps",
           "Tools/forceps/Centre=0.005, 0.005, 0.005", "Tools/forceps/Displacement=if(t > 1, 0.02*(t - 1), 0); 0; 0"],
          status=1, last_good=1),
+    Case("a motion step that becomes unstable as fibres stiffen",
+         "Numerics/Explicit/Motion step = 0.001 s is longer than the <any> s that are known to be stable at t = <any> s; "
+         "take at most that, or 0 for the program's choice, or set Unstable steps = on",
+         [*DYNAMICS, *FIBRES, f"{TISSUE}/Young's modulus=3000", f"{FAMILY}/Fibre direction=1; 0; 0",
+          f"{FAMILY}/Fibres in tension only=off", "Boundaries/Names=outside, far, rest",
+          "Boundaries/outside/Surfaces=x min", "Boundaries/far/Surfaces=x max", "Boundaries/far/Thermal=insulated",
+          "Boundaries/far/Mechanical=displacement", "Boundaries/far/Displacement=0.003*t; 0; 0",
+          "Boundaries/rest/Surfaces=remaining", "Boundaries/rest/Thermal=insulated", "Boundaries/rest/Mechanical=free",
+          "Numerics/Explicit/Damping=20", "Numerics/Explicit/Motion step=0.001", "Time/Step=0.1"],
+         status=1, last_good=0.6),
+    Case("linear tissue in steps that are not stable",
+         "the motion grows without bounds at t = <any> s at the node <any> m; take Numerics/Explicit/Motion step = 0, a "
+         "lower Safety factor, or damping",
+         [*DYNAMICS, "Effects/Coupling=expansion", f"{TISSUE}/Young's modulus=3000", f"{TISSUE}/Elastic law=linear",
+          "Numerics/Explicit/Motion step=0.01", "Numerics/Explicit/Unstable steps=on", "Time/Step=10", "Time/End=20"],
+         status=1, last_good=0),
+    Case("heat in steps that are not stable",
+         "the temperature grows without bounds at t = <any> s at the node <any> m; take Numerics/Explicit/Heat step = 0, "
+         "or a lower Safety factor",
+         ["Time/Integrator=explicit", "Numerics/Explicit/Heat step=160", "Numerics/Explicit/Unstable steps=on",
+          "Time/Step=160", "Time/End=32000"],
+         status=1, last_good=1600),
     Case("a load that no equilibrium bears",
          "no equilibrium found at t = 2 s: <any>; load the body less or in more output times, refine the mesh there, "
          "or choose Numerics/Large equilibrium = Newton",

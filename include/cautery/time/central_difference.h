@@ -59,6 +59,11 @@ namespace Cautery
     void set_heat_step(const double duration);
     void write(State &state) const;
 
+    /// Further than any node should go, m.
+    double far() const { return 1e3 * field.mesh().bounding_box().side_length(0); }
+
+    void         find_heat_limit(const double time);
+    void         renew_heat_limit(const double time);
     void         renew_limit_in_time(const double time);
     void         check_healthy(const bool healthy, const double time) const;
     unsigned int n_parts(const double length, const double longest) const;
@@ -83,6 +88,7 @@ namespace Cautery
     double heat_duration    = 0.;
     double longest_heat     = std::numeric_limits<double>::max(); ///< s
 
-    std::uint64_t n_heat_steps = 0;
+    std::uint64_t n_heat_steps      = 0;
+    unsigned int  motion_limit_seen = 0; ///< how often it had been found when that of heat was
   };
 } // namespace Cautery

@@ -24,7 +24,7 @@ namespace Cautery
 
   /**
    * How long steps of motion may be. It changes as fibres stiffen and cells shrink, and costs some 25 steps
-   * to find, so it is found anew now and then: seldom where it hardly changes.
+   * to find, so it is found anew now and then: the more seldom, the less it changes.
    */
   template <typename Number>
   class MotionLimit
@@ -47,14 +47,18 @@ namespace Cautery
 
     std::uint64_t steps_taken() const { return n_steps; }
 
+    unsigned int times_found() const { return n_found; }
+
     /** Finds it at @p values and @p time (s), which is for messages. Errors: see longest_step. Collective. */
     void find(const Records &values, const double time);
 
   private:
     const ExplicitSettings &settings;
     CriticalStep<Number>    critical;
-    double                  step = std::numeric_limits<double>::max();
+    double                  stable = 0.; ///< the bound that was found last, s
+    double                  step   = std::numeric_limits<double>::max();
     std::uint64_t           interval; ///< between two looks, steps
     std::uint64_t           n_steps = 0, next = 0;
+    unsigned int            n_found = 0;
   };
 } // namespace Cautery
