@@ -61,11 +61,82 @@ namespace Verification
             }
         }
     }
+
+    /// Everything on that moves heat, with lumped capacities, so that only the steps differ.
+    Outcome all_effects(const std::vector<Override> &models, const std::vector<Override> &integrator)
+    {
+      std::vector<Override> overrides = {{"Numerics/Capacity matrix", "lumped"}};
+      overrides.insert(overrides.end(), models.begin(), models.end());
+      overrides.insert(overrides.end(), integrator.begin(), integrator.end());
+      return run("balance", overrides);
+    }
+
+    /**
+     * Explicit steps are of first order in time: they come half as near to IDA with half the step, and two of
+     * them together nearer still.
+     */
+    void explicit_steps(Checks &checks)
+    {
+      const auto by = [](const std::string &step) {
+        return std::vector<Override>{{"Time/Integrator", "explicit"}, {"Time/Step", step}};
+      };
+      const std::vector<Override> ida = {
+        {"Time/Integrator", "IDA"}, {"Time/Relative tolerance", "1e-9"}, {"Time/Absolute tolerance", "1e-9"}};
+      for (const std::string cells : {"tetrahedra", "hexahedra"})
+        for (const std::string heat : {"Fourier", "non-Fourier"})
+          {
+            const std::vector<Override> model = {{"Mesh/Cells", cells}, {"Effects/Heat", heat}};
+            const Outcome exact = all_effects(model, ida), coarse = all_effects(model, by("0.1")),
+                          fine = all_effects(model, by("0.05"));
+            double first = 0., second = 0., together = 0.;
+            for (const auto &[place, row] : exact.probes)
+              {
+                const double wanted = row.at("temperature_K");
+                const double one    = coarse.probes.at(place).at("temperature_K") - wanted;
+                const double other  = fine.probes.at(place).at("temperature_K") - wanted;
+                first               = std::max(first, std::abs(one));
+                second              = std::max(second, std::abs(other));
+                together            = std::max(together, std::abs(2. * other - one));
+              }
+            const std::string what = "explicit heat, " + cells + ", " + heat + ": ";
+            checks.holds(what + "it is warmed", exact.summary.at("extremes").at("temperature_max_K") > 313.2);
+            checks.near(what + "half the step, error falls by the factor", first / second, 2., 0.1);
+            checks.below(what + "two steps extrapolated against IDA, K", together, 1e-4);
+          }
+    }
+
+    /// Explicit dynamics follows heat, whichever integrator finds it.
+    void motion_with_any_heat(Checks &checks)
+    {
+      const std::vector<Override> moving = {{"Effects/Deformation", "explicit dynamics"},
+                                            {"Effects/Coupling", "expansion"},
+                                            {"Tissues/tissue/Young's modulus", "1000"},
+                                            {"Numerics/Explicit/Damping", "50"}};
+      const Outcome               by_ida =
+        all_effects(moving, {{"Time/Integrator", "IDA"}, {"Time/Relative tolerance", "1e-7"}});
+      for (const std::string integrator : {"explicit", "backward Euler"})
+        {
+          const Outcome other = all_effects(moving, {{"Time/Integrator", integrator}, {"Time/Step", "0.05"}});
+          double        largest = 0., apart = 0.;
+          for (const auto &[place, row] : by_ida.probes)
+            for (const std::string column : {"displacement_x_m", "displacement_y_m", "displacement_z_m"})
+              {
+                largest = std::max(largest, std::abs(row.at(column)));
+                apart   = std::max(apart, std::abs(row.at(column) - other.probes.at(place).at(column)));
+              }
+          checks.holds("it moves", largest > 1e-6);
+          checks.below("explicit dynamics with heat by " + integrator + " against IDA, displacement",
+                       apart / largest,
+                       5e-3);
+        }
+    }
   } // namespace
 
   void heat(Checks &checks)
   {
     pennes_slab(checks);
     point_source(checks);
+    explicit_steps(checks);
+    motion_with_any_heat(checks);
   }
 } // namespace Verification

@@ -177,27 +177,51 @@ namespace Verification
     }
 
     /// x = F X on the whole boundary.
-    void sheared(Checks &checks, const Element &element, const Variant &law, const Tensor2 &f)
+    std::vector<Override> moved(const Tensor2 &f)
     {
-      const Textbook textbook{law.name, ""};
-      const auto     row = [&](const unsigned int i) {
+      const auto row = [&](const unsigned int i) {
         const Tensor2      h = f - identity;
         std::ostringstream text;
         text << std::setprecision(17) << '(' << h[i][0] << ")*x + (" << h[i][1] << ")*y + (" << h[i][2]
              << ")*z";
         return text.str();
       };
-      std::vector<Override> moved;
+      std::vector<Override> result;
       for (const std::string face : {"x0", "y0", "z0", "x1", "y1", "z1"})
         {
-          moved.push_back({"Boundaries/" + face + "/Mechanical", "displacement"});
-          moved.push_back({"Boundaries/" + face + "/Displacement", row(0) + "; " + row(1) + "; " + row(2)});
+          result.push_back({"Boundaries/" + face + "/Mechanical", "displacement"});
+          result.push_back({"Boundaries/" + face + "/Displacement", row(0) + "; " + row(1) + "; " + row(2)});
         }
+      return result;
+    }
+
+    const Tensor2 shear({{1.1, 0.6, 0.}, {0.1, 1., 0.2}, {0., 0.05, 0.9}});
+
+    void sheared(Checks &checks, const Element &element, const Variant &law)
+    {
       compare(checks,
               element.name + ", " + law.name + ", shear",
-              run("large", joined({bent_cube(element), law.overrides, moved})),
-              textbook,
-              f);
+              run("large", joined({bent_cube(element), law.overrides, moved(shear)})),
+              {law.name, ""},
+              shear);
+    }
+
+    /// Damage at 340 K for 1 s, with the strain energy of Eq. 7-49, of a cube whose corners are all moved.
+    void damaged(Checks &checks, const std::string &deformation, const Variant &law, const Variant &heat)
+    {
+      const double  energy  = Textbook{law.name, heat.name}.energy(shear);
+      const Outcome outcome = run("large",
+                                  joined({law.overrides,
+                                          heat.overrides,
+                                          moved(shear),
+                                          {{"Mesh/Subdivisions", "1"},
+                                           {"Effects/Deformation", deformation},
+                                           {"Effects/Damage", "thermo-mechanical strain energy"},
+                                           {"Damage/Quadrature", "end of step"}}}));
+      checks.near(deformation + ", " + law.name + heat.name + ": ln Omega",
+                  outcome.end("inside", "ln_damage"),
+                  std::log(1.98e106) - (667000. - 0.285 * energy) / (8.314 * 340.),
+                  1e-8);
     }
   } // namespace
 
@@ -210,7 +234,11 @@ namespace Verification
             pulled(checks, "uniaxial", element, law, heat, Tensor<1, 3>({700., 0., 0.}));
           pulled(checks, "pressed", element, law, heats[0], Tensor<1, 3>({-800., 0., 0.}));
           pulled(checks, "biaxial", element, law, heats[0], Tensor<1, 3>({600., 900., 0.}));
-          sheared(checks, element, law, Tensor2({{1.1, 0.6, 0.}, {0.1, 1., 0.2}, {0., 0.05, 0.9}}));
+          sheared(checks, element, law);
         }
+    for (const std::string deformation : {"large equilibrium", "explicit dynamics"})
+      for (const auto &law : laws)
+        for (const auto &heat : {heats[1], heats[2]})
+          damaged(checks, deformation, law, heat);
   }
 } // namespace Verification
