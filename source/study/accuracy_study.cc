@@ -37,11 +37,26 @@ namespace Cautery
       return series;
     }
 
+    /// The finer run that counts for true, and runs that tell how wrong it is.
+    struct FinerRun
+    {
+      Outcome                                     outcome;
+      std::vector<std::pair<Outcome, Coarsening>> coarser;
+
+      /// The estimated error in quantity @p q, from mesh and steps together.
+      double error(const unsigned int q) const
+      {
+        double sum = 0.;
+        for (const auto &[other, coarsening] : coarser)
+          sum += coarsening.share * other.answers[q].distance(outcome.answers[q]);
+        return sum;
+      }
+    };
+
     void find_references(AccuracyResult         &result,
                          const AccuracySettings &settings,
                          const Outcome          &base,
-                         const Outcome          *finer,
-                         const Outcome          *less_fine)
+                         const FinerRun         &finer)
     {
       const auto exact = Utilities::split_string_list(settings.exact, ';');
       AssertThrow(
@@ -55,9 +70,8 @@ namespace Cautery
             result.references.push_back({exact_series(exact[q], base.answers[q]), 0., "exact: " + exact[q]});
             break;
           case AccuracySettings::Reference::finer_run:
-            result.references.push_back({finer->answers[q],
-                                         finer->answers[q].distance(less_fine->answers[q]),
-                                         "a finer run: " + settings.finer_run});
+            result.references.push_back(
+              {finer.outcome.answers[q], finer.error(q), "a finer run: " + settings.finer_run});
             break;
           case AccuracySettings::Reference::richardson:
             result.references.push_back(
@@ -70,6 +84,26 @@ namespace Cautery
       AssertThrow(
         outcome.succeeded(),
         ExcInput("Accuracy: " + what + " fails, so nothing can be compared with it: " + outcome.message));
+    }
+
+    /// @p run takes a folder, what to say, and the changes.
+    template <typename Run>
+    FinerRun run_finer(const Origin &origin, const AccuracySettings &settings, const Run &run)
+    {
+      const auto  changes = parse_changes(settings.finer_run, "Accuracy/Finer run");
+      const Scene fine    = origin.scene(changes);
+      FinerRun    finer;
+      for (const auto &[what, coarsening] : {std::make_pair("coarser_mesh", with_coarser_mesh(fine)),
+                                             std::make_pair("coarser_steps", with_coarser_steps(fine))})
+        {
+          auto coarser = changes;
+          coarser.insert(coarser.end(), coarsening.changes.begin(), coarsening.changes.end());
+          finer.coarser.emplace_back(run(what, "reference, less fine", coarser), coarsening);
+          require_success(finer.coarser.back().first, "the less fine reference");
+        }
+      finer.outcome = run("finer", "reference", changes);
+      require_success(finer.outcome, "the reference");
+      return finer;
     }
   } // namespace
 
@@ -115,7 +149,7 @@ namespace Cautery
 
     const bool   speaks    = Utilities::MPI::this_mpi_process(communicator) == 0;
     const bool   has_finer = scene.accuracy.reference == AccuracySettings::Reference::finer_run;
-    unsigned int n_runs    = has_finer ? 3 : 1;
+    unsigned int n_runs    = has_finer ? 4 : 1;
     for (const auto &ladder : result.ladders)
       n_runs += ladder.rungs.size();
     if (speaks)
@@ -147,21 +181,9 @@ namespace Cautery
                                    ladder.name + ": " + ladder.rungs[i].label,
                                    ladder.rungs[i].changes),
                                {}});
-    Outcome finer, less_fine;
-    if (has_finer)
-      {
-        const auto changes = parse_changes(scene.accuracy.finer_run, "Accuracy/Finer run");
-        auto       coarser = changes;
-        const auto more    = coarsened(origin.scene(changes));
-        coarser.insert(coarser.end(), more.begin(), more.end());
-        less_fine = run("less_fine", "reference, coarsened", coarser);
-        finer     = run("finer", "reference", changes);
-        require_success(less_fine, "the reference, coarsened,");
-        require_success(finer, "the reference");
-      }
-
-    const Outcome base = result.rows.front().outcome;
-    find_references(result, scene.accuracy, base, &finer, &less_fine);
+    const FinerRun finer = has_finer ? run_finer(origin, scene.accuracy, run) : FinerRun();
+    const Outcome  base  = result.rows.front().outcome;
+    find_references(result, scene.accuracy, base, finer);
     for (auto &row : result.rows)
       if (row.outcome.succeeded())
         for (unsigned int q = 0; q < result.quantities.size(); ++q)

@@ -81,25 +81,25 @@ namespace Cautery
     return reference;
   }
 
-  std::vector<Override> coarsened(const Scene &scene)
+  Coarsening with_coarser_mesh(const Scene &scene)
   {
-    std::vector<Override> changes;
-    if (scene.mesh.shape == MeshSettings::Shape::file && scene.mesh.refinements > 0)
-      changes.push_back({"Mesh/Refinements", std::to_string(scene.mesh.refinements - 1)});
-    if (scene.mesh.shape == MeshSettings::Shape::box)
-      {
-        std::vector<std::string> numbers;
-        for (const double number : scene.mesh.subdivisions)
-          numbers.push_back(to_text(std::max(1., std::floor(number / 2.))));
-        changes.push_back({"Mesh/Subdivisions", join(numbers)});
-      }
+    const double share = 1. / (std::pow(2., scene.numerics.degree + 1.) - 1.);
+    if (scene.mesh.refinements > 0)
+      return {{{"Mesh/Refinements", std::to_string(scene.mesh.refinements - 1)}}, share};
+    if (scene.mesh.shape == MeshSettings::Shape::file)
+      return {};
+    std::vector<std::string> numbers;
+    for (const double number : scene.mesh.subdivisions)
+      numbers.push_back(to_text(std::max(1., std::floor(number / 2.))));
+    return {{{"Mesh/Subdivisions", join(numbers)}}, share};
+  }
+
+  Coarsening with_coarser_steps(const Scene &scene)
+  {
     if (scene.time.integrator == TimeSettings::Integrator::ida)
-      {
-        changes.push_back({"Time/Relative tolerance", to_text(10. * scene.time.relative_tolerance)});
-        changes.push_back({"Time/Absolute tolerance", to_text(10. * scene.time.absolute_tolerance)});
-      }
-    else
-      changes.push_back({"Time/Step", to_text(2. * scene.time.step)});
-    return changes;
+      return {{{"Time/Relative tolerance", to_text(10. * scene.time.relative_tolerance)},
+               {"Time/Absolute tolerance", to_text(10. * scene.time.absolute_tolerance)}},
+              1. / 9.};
+    return {{{"Time/Step", to_text(2. * scene.time.step)}}, 1.};
   }
 } // namespace Cautery

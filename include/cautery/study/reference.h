@@ -41,6 +41,17 @@ namespace Cautery
                                  const std::vector<Ladder>              &ladders,
                                  const std::vector<std::vector<Series>> &answers);
 
-  /** What makes cells and steps of @p scene twice as large, or IDA's tolerances ten times. */
-  std::vector<Override> coarsened(const Scene &scene);
+  /// Settings less fine than a scene's, and how much further they are from the truth than these are from each
+  /// other.
+  struct Coarsening
+  {
+    std::vector<Override> changes;
+    double                share = 1.; ///< of the difference that the scene itself still errs by
+  };
+
+  /** Cells twice as large: the error, of order degree + 1, falls by that power of 2. Of a mesh file that is
+   * not refined, nothing. */
+  Coarsening with_coarser_mesh(const Scene &scene);
+  /** Steps twice as long (order 1), or IDA's tolerances ten times as large. */
+  Coarsening with_coarser_steps(const Scene &scene);
 } // namespace Cautery
