@@ -29,7 +29,12 @@ namespace Cautery
     /** A step over @p length (s) that took @p seconds. */
     void add_step(const double length, const double seconds);
 
-    bool knows_enough() const { return pace.size() >= enough_steps || spent >= enough_seconds; }
+    /** After 30 steps; sooner, but not before first guesses are remembered, where steps are slow. */
+    bool knows_enough() const
+    {
+      return pace.size() >= enough_steps || (pace.size() >= least_steps && spent >= enough_seconds) ||
+             spent >= most_seconds;
+    }
 
     /** At @p time (s), when @p passed seconds have been spent and most memory was @p bytes; for good. */
     void make(const double time, const double passed, const double bytes);
@@ -38,7 +43,9 @@ namespace Cautery
 
   private:
     static constexpr unsigned int enough_steps   = 30;
+    static constexpr unsigned int least_steps    = 16;
     static constexpr double       enough_seconds = 3.;
+    static constexpr double       most_seconds   = 20.;
 
     const double          end;
     const unsigned int    n_outputs;
