@@ -32,11 +32,17 @@ namespace Cautery
       double cells = scene.mesh.cells == MeshSettings::Cells::tetrahedra ? 6. : 1.;
       for (unsigned int d = 0; d < scene.dimension; ++d)
         cells *= scene.mesh.subdivisions[d];
-      // down to half, and up as far as it does not take too long
-      for (double factor = 0.5;
-           factor == 0.5 || factor == 1. ||
-           (factor <= 4. && cells * std::pow(factor, scene.dimension) < largest_standard_mesh);
-           factor *= 2.)
+      const auto too_many = [&](const double factor) {
+        return cells * std::pow(factor, scene.dimension) > largest_standard_mesh;
+      };
+      // three rungs or more, because fewer allow no extrapolation
+      std::vector<double> factors = {0.5, 1.};
+      if (too_many(2.))
+        factors.insert(factors.begin(), 0.25);
+      for (const double factor : {2., 4.})
+        if (!too_many(factor))
+          factors.push_back(factor);
+      for (const double factor : factors)
         {
           std::vector<std::string> numbers;
           for (const double number : scene.mesh.subdivisions)
