@@ -8,7 +8,6 @@ FIBRES = ["Tissues/tissue/Fibre families=collagen", "Tissues/tissue/collagen/Fib
 ONCE = ["Time/Step=1", "Output/Interval=1"]
 
 
-
 def stepping(lab):
     """The whole load at once, in one output time."""
     cases = {"pulled to I4 = 4, fibres with exp(9)": (2.0, FIBRES, (1000.0, 1.0)), "pressed to 20 %": (0.2, [], (0.0, 1.0)),

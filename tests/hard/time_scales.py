@@ -45,7 +45,7 @@ def check(lab):
     amplitude = lambda key: found[key].end("middle", "temperature_K") - 310
     waves = [key for key in runs if isinstance(key[2], float)]
     for integrator, reference, bound in (("backward Euler", lambda d, s: backward_euler(d, s), 1e-9),
-                                         ("IDA", lambda d, s: exact(d, NUMBER * s), 5e-3)):
+                                         ("IDA", lambda d, s: exact(d, NUMBER * s), 1e-2)):
         mine = [key for key in waves if key[0] == integrator]
         what = "its recurrence" if integrator == "backward Euler" else "the closed form"
         lab.below(f"{integrator}, tau 1e-14 to 1e3 s, {NUMBER} steps of 1e-4 to 1e3 s: first mode (5 K) against {what}, K",
