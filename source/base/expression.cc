@@ -214,7 +214,14 @@ namespace Cautery
     if (constant)
       return *constant;
     if (parser)
-      return checked(parser->value(Point<1>(temperature)), source, "T = " + to_text(temperature) + " K");
+      {
+        const double result = parser->value(Point<1>(temperature));
+        if (!std::isfinite(result))
+          checked(result, source, "T = " + to_text(temperature) + " K");
+        if (judged)
+          judged(result, temperature);
+        return result;
+      }
     return interpolate(table, temperature);
   }
 

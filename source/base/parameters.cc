@@ -282,5 +282,12 @@ namespace Cautery
     for (const double known : value.known_values())
       if (!bounds.contain(known))
         reject(name, given, "it must be " + bounds.to_string());
+    value.judge_values(
+      [bounds, entry = path(name) + " = " + given](const double v, const double temperature) {
+        AssertThrow(bounds.contain(v),
+                    ExcRun(entry + " is " + to_text(v) + " at T = " + to_text(temperature) +
+                           " K, where it must be " + bounds.to_string() +
+                           "; give an expression that holds at all temperatures of the run"));
+      });
   }
 } // namespace Cautery

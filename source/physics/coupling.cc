@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/coupling.h>
+#include <cautery/physics/dilatation.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -17,6 +18,7 @@ namespace Cautery
     void for_each_divergence(
       const Field<dim>                                                &nodes,
       const Field<dim>                                                &displacement,
+      const bool                                                       mean_dilatation,
       const std::function<void(const typename DoFHandler<dim>::active_cell_iterator &node_cell,
                                const typename DoFHandler<dim>::active_cell_iterator &displacement_cell,
                                const FullMatrix<double>                             &divergence)> &use)
@@ -25,6 +27,7 @@ namespace Cautery
                            nodes.element(),
                            nodes.cell_quadrature(),
                            update_values | update_gradients | update_JxW_values);
+      Dilatation<dim>    dilatation(mean_dilatation);
       const auto        &vector_element = displacement.element();
       FullMatrix<double> divergence(nodes.element().n_dofs_per_cell(), vector_element.n_dofs_per_cell());
       auto               displacement_cell = displacement.dof_handler().begin_active();
@@ -33,12 +36,13 @@ namespace Cautery
           if (cell->is_locally_owned())
             {
               values.reinit(cell);
+              dilatation.reinit(values);
               divergence = 0.;
               for (const unsigned int q : values.quadrature_point_indices())
                 for (unsigned int j = 0; j < vector_element.n_dofs_per_cell(); ++j)
                   {
                     const auto [component, node] = vector_element.system_to_component_index(j);
-                    const double slope           = values.shape_grad(node, q)[component] * values.JxW(q);
+                    const double slope = dilatation.gradient(values, node, q)[component] * values.JxW(q);
                     for (const unsigned int i : values.dof_indices())
                       divergence(i, j) += values.shape_value(i, q) * slope;
                   }
@@ -58,7 +62,8 @@ namespace Cautery
   template <int dim>
   ThermalExpansionOperator<dim>::ThermalExpansionOperator(const Field<dim>     &displacement,
                                                           const Field<dim>     &nodes,
-                                                          const TissueMap<dim> &tissues)
+                                                          const TissueMap<dim> &tissues,
+                                                          const bool            mean_dilatation)
     : common_reference(tissues.tissue(0).expansion.reference_temperature)
     , reference(displacement.vector())
     , excess(nodes.vector())
@@ -69,18 +74,20 @@ namespace Cautery
     std::vector<types::global_dof_index> columns(nodes.element().n_dofs_per_cell());
     FullMatrix<double>                   local(rows.size(), columns.size());
     dealii::Vector<double>               ones(columns.size()), local_reference(rows.size());
-    for_each_divergence<dim>(
-      nodes, displacement, [&](const auto &node_cell, const auto &cell, const auto &divergence) {
-        const Tissue &tissue = tissues[cell->material_id()];
-        node_cell->get_dof_indices(columns);
-        cell->get_dof_indices(rows);
-        local.copy_transposed(divergence);
-        local *= beta(tissue);
-        ones = tissue.expansion.reference_temperature - common_reference;
-        local.vmult(local_reference, ones);
-        matrix.add(rows, columns, local);
-        reference.add(rows, local_reference);
-      });
+    for_each_divergence<dim>(nodes,
+                             displacement,
+                             mean_dilatation,
+                             [&](const auto &node_cell, const auto &cell, const auto &divergence) {
+                               const Tissue &tissue = tissues[cell->material_id()];
+                               node_cell->get_dof_indices(columns);
+                               cell->get_dof_indices(rows);
+                               local.copy_transposed(divergence);
+                               local *= beta(tissue);
+                               ones = tissue.expansion.reference_temperature - common_reference;
+                               local.vmult(local_reference, ones);
+                               matrix.add(rows, columns, local);
+                               reference.add(rows, local_reference);
+                             });
     matrix.compress(VectorOperation::add);
     reference.compress(VectorOperation::add);
   }
@@ -105,7 +112,8 @@ namespace Cautery
   ThermoelasticFeedback<dim>::ThermoelasticFeedback(const Field<dim>     &nodes,
                                                     const Field<dim>     &displacement,
                                                     const TissueMap<dim> &tissues,
-                                                    const bool            non_fourier)
+                                                    const bool            non_fourier,
+                                                    const bool            mean_dilatation)
     : non_fourier(non_fourier)
   {
     nodes.initialize_matrix(feedback, displacement, nullptr);
@@ -113,20 +121,22 @@ namespace Cautery
       relaxed.reinit(feedback);
     std::vector<types::global_dof_index> rows(nodes.element().n_dofs_per_cell());
     std::vector<types::global_dof_index> columns(displacement.element().n_dofs_per_cell());
-    for_each_divergence<dim>(
-      nodes, displacement, [&](const auto &node_cell, const auto &cell, const auto &divergence) {
-        const Tissue &tissue = tissues[cell->material_id()];
-        node_cell->get_dof_indices(rows);
-        cell->get_dof_indices(columns);
-        FullMatrix<double> local = divergence;
-        local *= beta(tissue) * tissue.expansion.reference_temperature;
-        feedback.add(rows, columns, local);
-        if (non_fourier)
-          {
-            local *= tissue.thermal.relaxation_time;
-            relaxed.add(rows, columns, local);
-          }
-      });
+    for_each_divergence<dim>(nodes,
+                             displacement,
+                             mean_dilatation,
+                             [&](const auto &node_cell, const auto &cell, const auto &divergence) {
+                               const Tissue &tissue = tissues[cell->material_id()];
+                               node_cell->get_dof_indices(rows);
+                               cell->get_dof_indices(columns);
+                               FullMatrix<double> local = divergence;
+                               local *= beta(tissue) * tissue.expansion.reference_temperature;
+                               feedback.add(rows, columns, local);
+                               if (non_fourier)
+                                 {
+                                   local *= tissue.thermal.relaxation_time;
+                                   relaxed.add(rows, columns, local);
+                                 }
+                             });
     feedback.compress(VectorOperation::add);
     if (non_fourier)
       relaxed.compress(VectorOperation::add);

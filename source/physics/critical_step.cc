@@ -31,6 +31,9 @@ namespace Cautery
       double radius = 0.; // of Gershgorin's circles
       for (unsigned int i = 0; i < n; ++i)
         radius = std::max(radius, std::abs(diagonal[i]) + 2. * (n > 1 ? beside[std::min(i, n - 2)] : 0.));
+      AssertThrow(std::isfinite(radius),
+                  ExcRun("no stable step can be found where the motion is beyond all numbers; lower "
+                         "Numerics/Explicit/Safety factor, or load the body more slowly"));
       dealii::Vector<double> eigenvalues;
       FullMatrix<double>     vectors;
       matrix.compute_eigenvalues_symmetric(-4. * radius, 4. * radius, 1e-12 * radius, eigenvalues, vectors);

@@ -6,7 +6,9 @@
 namespace Cautery
 {
   template <int dim>
-  ElasticCellTerms<dim>::ElasticCellTerms(const Field<dim> &displacement, const Field<dim> &nodes)
+  ElasticCellTerms<dim>::ElasticCellTerms(const Field<dim> &displacement,
+                                          const Field<dim> &nodes,
+                                          const bool        mean_dilatation)
     : dofs(displacement.element().n_dofs_per_cell())
     , stiffness(dofs.size(), dofs.size())
     , mass(dofs.size(), dofs.size())
@@ -17,6 +19,7 @@ namespace Cautery
              nodes.element(),
              nodes.cell_quadrature(),
              update_values | update_gradients | update_JxW_values)
+    , dilatation(mean_dilatation)
     , temperatures(values.n_quadrature_points)
   {
   }
@@ -27,6 +30,7 @@ namespace Cautery
                                      const Vector                                         *temperature)
   {
     values.reinit(nodes.cell(cell));
+    dilatation.reinit(values);
     cell->get_dof_indices(dofs);
     if (temperature != nullptr)
       values.get_function_values(*temperature, temperatures);
@@ -51,12 +55,14 @@ namespace Cautery
           {
             const auto [ci, ni]       = element.system_to_component_index(i);
             const Tensor<1, dim> &g_i = values.shape_grad(ni, q);
-            thermal_load(i) += pressure * g_i[ci] * values.JxW(q);
+            const double          d_i = dilatation.gradient(values, ni, q)[ci];
+            thermal_load(i) += pressure * d_i * values.JxW(q);
             for (unsigned int j = 0; j < dofs.size(); ++j)
               {
                 const auto [cj, nj]       = element.system_to_component_index(j);
                 const Tensor<1, dim> &g_j = values.shape_grad(nj, q);
-                stiffness(i, j) += lame.lambda * g_i[ci] * g_j[cj] + lame.mu * g_i[cj] * g_j[ci];
+                stiffness(i, j) +=
+                  lame.lambda * d_i * dilatation.gradient(values, nj, q)[cj] + lame.mu * g_i[cj] * g_j[ci];
                 if (ci == cj)
                   stiffness(i, j) += lame.mu * (g_i * g_j);
               }

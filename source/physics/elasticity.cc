@@ -44,6 +44,10 @@ namespace Cautery
     , outer_load(scene, displacement, nodes, tissues, boundaries, locator)
     , kept(kept_displacements(scene, displacement, nodes, locator))
   {
+    AssertThrow(
+      !scene.numerics.mean_dilatation || !nodes.mesh().simplices(),
+      ExcInput("Numerics/Mean dilatation = on is for hexahedra and quadrilaterals: a linear tetrahedron "
+               "has one dilatation only; take hexahedra, or Element degree = 2"));
     nothing_fixed.reinit(displacement.relevant());
     nothing_fixed.close();
     if (!has_inertia)
@@ -53,7 +57,8 @@ namespace Cautery
                  scene.output.reactions;
     initialize_matrices();
     if (scene.effects.coupling != Effects::Coupling::off && !properties_change)
-      expansion_operator = std::make_unique<ThermalExpansionOperator<dim>>(displacement, nodes, tissues);
+      expansion_operator = std::make_unique<ThermalExpansionOperator<dim>>(
+        displacement, nodes, tissues, scene.numerics.mean_dilatation);
     if (has_inertia)
       assemble_mass();
     if (!properties_change)
@@ -84,7 +89,7 @@ namespace Cautery
   template <int dim>
   void Elasticity<dim>::assemble_stiffness(const Vector *temperature)
   {
-    ElasticCellTerms<dim> terms(displacement, nodes);
+    ElasticCellTerms<dim> terms(displacement, nodes, scene.numerics.mean_dilatation);
     elastic.reduced = 0.;
     elastic.full    = 0.;
     thermal_load    = 0.;
@@ -109,7 +114,7 @@ namespace Cautery
   template <int dim>
   void Elasticity<dim>::assemble_mass()
   {
-    ElasticCellTerms<dim> terms(displacement, nodes);
+    ElasticCellTerms<dim> terms(displacement, nodes, scene.numerics.mean_dilatation);
     for (const auto &cell : displacement.dof_handler().active_cell_iterators())
       {
         if (!cell->is_locally_owned())

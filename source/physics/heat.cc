@@ -15,6 +15,25 @@ namespace Cautery
   }
 
   template <int dim>
+  Vector initial_temperature(const Scene &scene, const Field<dim> &nodes)
+  {
+    Vector                               result  = nodes.vector();
+    const auto                          &support = nodes.element().get_unit_support_points();
+    std::vector<types::global_dof_index> dofs(support.size());
+    for (const auto &cell : nodes.dof_handler().active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (nodes.owned().is_element(dofs[i]))
+              result(dofs[i]) = scene.initial_temperature.value(
+                in_space<dim>(nodes.mapping().transform_unit_to_real_cell(cell, support[i])), 0.);
+        }
+    result.compress(VectorOperation::insert);
+    return result;
+  }
+
+  template <int dim>
   Heat<dim>::Heat(const Scene             &scene,
                   const Field<dim>        &field,
                   const TissueMap<dim>    &tissues,
@@ -42,6 +61,12 @@ namespace Cautery
     initialize_books();
     if (!changes())
       assemble(nullptr, nullptr, nullptr);
+    if (scene.numerics.temperature_limiter)
+      {
+        limiter         = std::make_unique<TemperatureLimiter>();
+        lent_by_limiter = field.vector();
+        coldest_start   = initial_temperature(scene, field).min();
+      }
   }
 
   template <int dim>
@@ -51,6 +76,11 @@ namespace Cautery
     field.initialize_matrix(conduction.reduced, field, &fixed);
     storage.full.reinit(conduction.full);
     storage.reduced.reinit(conduction.reduced);
+    if (properties_change)
+      {
+        storage_excess.full.reinit(conduction.full);
+        storage_excess.reduced.reinit(conduction.reduced);
+      }
     if (non_fourier)
       {
         relaxation.full.reinit(conduction.full);
@@ -107,6 +137,8 @@ namespace Cautery
     if (non_fourier)
       sum.add(tau, terms.exchange);
     add(storage, sum);
+    if (properties_change)
+      add(storage_excess, terms.capacity_excess);
     if (non_fourier)
       {
         sum.equ(tau, terms.capacity);
@@ -134,7 +166,7 @@ namespace Cautery
   template <int dim>
   void Heat<dim>::assemble(const Vector *before, const Vector *now, const Vector *ln_damage)
   {
-    for (auto *matrix : {&relaxation, &storage, &conduction})
+    for (auto *matrix : {&relaxation, &storage, &storage_excess, &conduction})
       {
         matrix->full    = 0.;
         matrix->reduced = 0.;
@@ -168,7 +200,7 @@ namespace Cautery
   void Heat<dim>::finish()
   {
     assembled = true;
-    for (auto *matrix : {&relaxation, &storage, &conduction})
+    for (auto *matrix : {&relaxation, &storage, &storage_excess, &conduction})
       {
         matrix->full.compress(VectorOperation::add);
         matrix->reduced.compress(VectorOperation::add);
@@ -252,6 +284,52 @@ namespace Cautery
     outside.add_at(time, within, force);
   }
 
+  /// Of all that sets temperatures at the end of @p step.
+  template <int dim>
+  double Heat<dim>::coldest_data(const Step &step) const
+  {
+    double coldest = coldest_start;
+    if (scene.effects.perfusion)
+      for (const auto &tissue : scene.tissues)
+        coldest = std::min(coldest, tissue.perfusion.temperature);
+    double here = coldest;
+    prescribed.for_each_owned([&](const auto, const Expression &value, const Point<3> &place) {
+      here = std::min(here, value.value(place, step.to));
+    });
+    // the mean of the surroundings' temperature around a node
+    Vector surroundings = field.vector();
+    outside.add_convection_at(step.to, surroundings);
+    for (unsigned int i = 0; i < surroundings.locally_owned_size(); ++i)
+      if (const double weight = bookkeeping.surface_weights.begin()[i]; weight > 0.)
+        here = std::min(here, surroundings.begin()[i] / weight);
+    return Utilities::MPI::min(here, field.communicator());
+  }
+
+  template <int dim>
+  void Heat<dim>::limit(const Step &step, const State &state, const SparseMatrix &system, Vector &rate)
+  {
+    if (!limiter)
+      return;
+    AssertThrow(
+      !outside.take_heat(step),
+      ExcRun("Numerics/Temperature limiter = on, but a source or a flux takes heat away in the step to t = " +
+             to_text(step.to) + " s, so that no datum tells how cold the body may get; turn it off"));
+    const double floor = std::min(coldest_data(step), state.temperature.min());
+    lent_by_limiter    = 0.;
+    Vector temperature = state.temperature;
+    temperature.add(step.length(), rate);
+    if (temperature.min() >= floor)
+      return;
+    Vector change   = temperature;
+    lent_by_limiter = limiter->lift(system, eliminated, floor, temperature);
+    lent_by_limiter *= 1. / step.length();
+    change.sadd(-1., 1., temperature);
+    eliminated.distribute(change);
+    rate.add(1. / step.length(), change);
+  }
+
+  template Vector initial_temperature(const Scene &, const Field<2> &);
+  template Vector initial_temperature(const Scene &, const Field<3> &);
   template class Heat<2>;
   template class Heat<3>;
 } // namespace Cautery

@@ -65,6 +65,8 @@ namespace Cautery
     temperature_integral.add(0.5 * dt, before, 0.5 * dt, now.temperature);
     if (heat.relaxes())
       relax(dt, before, now.temperature);
+    if (heat.is_limited())
+      lend(dt);
     if (!implicit)
       last_temperature = now.temperature;
     if (heat.changes())
@@ -98,6 +100,21 @@ namespace Cautery
         sum_flux += carried;
       }
     first += Utilities::MPI::sum(sum_flux, heat.nodes().communicator());
+  }
+
+  /// What the limiter gives acts like a source: in the non-Fourier model as s with tau s' + s.
+  template <int dim>
+  void HeatBalance<dim>::lend(const double dt)
+  {
+    const Vector &power = heat.lent();
+    if (lending.size() == 0)
+      lending = heat.nodes().vector();
+    for (unsigned int i = 0; i < power.locally_owned_size(); ++i)
+      {
+        const double r     = heat.relaxes() ? heat.books().delay.begin()[i] / dt : 0.;
+        lending.begin()[i] = (r * lending.begin()[i] + power.begin()[i]) / (1. + r);
+      }
+    lent += dt * sum(lending);
   }
 
   template <int dim>
@@ -159,7 +176,7 @@ namespace Cautery
     result.expansion  = expansion;
     // convection and given fluxes are known; what is left over at nodes of prescribed temperature went
     // through them
-    result.boundary = surfaces - received.surfaces + first + heat.prescribed_temperatures().sum(taken);
+    result.boundary = surfaces - received.surfaces + first + heat.prescribed_temperatures().sum(taken) - lent;
     return result;
   }
 

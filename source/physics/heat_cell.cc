@@ -11,6 +11,7 @@ namespace Cautery
   HeatCellTerms<dim>::HeatCellTerms(const Scene &scene, const Field<dim> &field)
     : dofs(field.element().n_dofs_per_cell())
     , capacity(dofs.size(), dofs.size())
+    , capacity_excess(dofs.size(), dofs.size())
     , exchange(dofs.size(), dofs.size())
     , conduction(dofs.size(), dofs.size())
     , blood_weights(dofs.size())
@@ -48,7 +49,7 @@ namespace Cautery
       }
     if (damage != nullptr)
       cell->get_dof_values(*damage, ln_damage.begin(), ln_damage.end());
-    for (auto *matrix : {&capacity, &exchange, &conduction})
+    for (auto *matrix : {&capacity, &capacity_excess, &exchange, &conduction})
       *matrix = 0.;
     for (auto *vector : {&blood_weights, &blood_source, &surface_weights, &metabolism, &metabolism_growth})
       *vector = 0.;
@@ -78,6 +79,8 @@ namespace Cautery
           std::abs(now - before) < 1e-6 ?
             tissue.thermal.heat_capacity(now) :
             tissue.thermal.density * tissue.thermal.specific_heat.integral(before, now) / (now - before);
+        const double excess =
+          tissue.thermal.specific_heat.is_constant() ? 0. : tissue.thermal.heat_capacity(now) - heat_capacity;
         const double k         = tissue.thermal.conductivity.value(now);
         const double perfusion = w * living_share(q);
         for (const unsigned int i : values.dof_indices())
@@ -88,6 +91,7 @@ namespace Cautery
               {
                 const double product = weight * values.shape_value(j, q);
                 capacity(i, j) += heat_capacity * product;
+                capacity_excess(i, j) += excess * product;
                 exchange(i, j) += perfusion * product;
                 conduction(i, j) += k * (values.shape_grad(i, q) * values.shape_grad(j, q)) * values.JxW(q);
               }
@@ -145,7 +149,7 @@ namespace Cautery
   template <int dim>
   void HeatCellTerms<dim>::lump()
   {
-    for (auto *matrix : {&capacity, &exchange})
+    for (auto *matrix : {&capacity, &capacity_excess, &exchange})
       for (unsigned int i = 0; i < dofs.size(); ++i)
         {
           double sum = 0.;

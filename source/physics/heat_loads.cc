@@ -38,22 +38,26 @@ namespace Cautery
     if (scene.effects.heat_sources)
       for (const auto &source : scene.heat_sources)
         {
-          add_item(&source, source_distribution(source, field, tissues, locator));
+          add_item(&source, false, source_distribution(source, field, tissues, locator));
           check_reaches_body(source, items.back().sum);
         }
     for (unsigned int b = 0; b < scene.boundaries.size(); ++b)
       {
-        const Boundary &boundary = scene.boundaries[b];
-        if (boundary.thermal == Boundary::Thermal::flux || boundary.thermal == Boundary::Thermal::convection)
-          add_item(nullptr, surface_distribution(boundary, boundaries.surfaces(b), field, tissues));
+        const Boundary &boundary   = scene.boundaries[b];
+        const bool      convection = boundary.thermal == Boundary::Thermal::convection;
+        if (boundary.thermal == Boundary::Thermal::flux || convection)
+          add_item(
+            nullptr, convection, surface_distribution(boundary, boundaries.surfaces(b), field, tissues));
       }
   }
 
   template <int dim>
-  void HeatLoads<dim>::add_item(const HeatSource *source, HeatDistribution distribution)
+  void
+  HeatLoads<dim>::add_item(const HeatSource *source, const bool convection, HeatDistribution distribution)
   {
     Item item;
     item.source       = source;
+    item.convection   = convection;
     item.distribution = std::move(distribution);
     item.load         = field.vector();
     if (non_fourier)
@@ -191,6 +195,44 @@ namespace Cautery
           assemble_now(item, time, load, nullptr);
           force += load;
         }
+  }
+
+  template <int dim>
+  Vector HeatLoads<dim>::load_at(const Item &item, const double time) const
+  {
+    Vector load = item.load;
+    if (item.distribution.changes)
+      assemble_now(item, time, load, nullptr);
+    return load;
+  }
+
+  template <int dim>
+  void HeatLoads<dim>::add_convection_at(const double time, Vector &force) const
+  {
+    for (const auto &item : items)
+      if (item.convection)
+        force += load_at(item, time);
+  }
+
+  namespace
+  {
+    /// Of the largest load at a node: what shape functions leave at nodes where they are zero.
+    constexpr double rounding = 1e-10;
+  } // namespace
+
+  template <int dim>
+  bool HeatLoads<dim>::take_heat(const Step &step) const
+  {
+    for (const auto &item : items)
+      if (!item.convection)
+        {
+          const double amplitude = mean_amplitude(item, step);
+          const Vector load      = load_at(item, step.to);
+          const double least     = amplitude > 0. ? load.min() : load.max();
+          if (amplitude * least < -rounding * std::abs(amplitude) * load.linfty_norm())
+            return true;
+        }
+    return false;
   }
 
   template <int dim>

@@ -36,9 +36,11 @@ namespace Cautery
         integrator->step(state, stop);
         return;
       }
-    // nothing remembers the past: only the displacement at outputs is asked for
+    // nothing remembers the past: only the displacement at outputs is asked for; found here, so that where
+    // there is none the last output is the last good state
     state.time = stop;
     ++state.step;
+    complete(state);
   }
 
   template <int dim>

@@ -8,19 +8,7 @@ namespace Cautery
   template <int dim>
   void start_heat(const Scene &scene, const Field<dim> &nodes, State &state)
   {
-    state.temperature                            = nodes.vector();
-    const auto                          &support = nodes.element().get_unit_support_points();
-    std::vector<types::global_dof_index> dofs(support.size());
-    for (const auto &cell : nodes.dof_handler().active_cell_iterators())
-      if (!cell->is_artificial())
-        {
-          cell->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dofs.size(); ++i)
-            if (nodes.owned().is_element(dofs[i]))
-              state.temperature(dofs[i]) = scene.initial_temperature.value(
-                in_space<dim>(nodes.mapping().transform_unit_to_real_cell(cell, support[i])), 0.);
-        }
-    state.temperature.compress(VectorOperation::insert);
+    state.temperature   = initial_temperature(scene, nodes);
     const double lowest = state.temperature.min();
     AssertThrow(lowest >= 0.,
                 ExcInput("Initial state/Temperature = " + scene.initial_temperature.text() +

@@ -44,8 +44,8 @@ namespace Cautery
     if (scene.effects.coupling == Effects::Coupling::two_way)
       {
         cost.build("coupling: operators", [&]() {
-          feedback =
-            std::make_unique<ThermoelasticFeedback<dim>>(body.nodes, field, body.tissues, heat.relaxes());
+          feedback = std::make_unique<ThermoelasticFeedback<dim>>(
+            body.nodes, field, body.tissues, heat.relaxes(), scene.numerics.mean_dilatation);
         });
         integrator = std::make_unique<CoupledBackwardEuler<dim>>(
           scene.time, scene.numerics, heat, *statics.small, *statics.small->expansion(), *feedback, cost);

@@ -45,6 +45,16 @@ namespace Cautery
       capacity_matrix,
       Choices<CapacityMatrix>{{"consistent", CapacityMatrix::consistent}, {"lumped", CapacityMatrix::lumped}},
       "Lumped (degree 1 only) keeps temperatures from undershooting near point sources");
+    p.entry(
+      "Temperature limiter",
+      temperature_limiter,
+      "After each step of backward Euler, lift nodes that are colder than all data (initial, prescribed, "
+      "ambient, blood) by heat from warmer ones; degree 1 only");
+    p.entry(
+      "Mean dilatation",
+      mean_dilatation,
+      "Against locking where Poisson's ratio is near 0.5: hexahedra and quadrilaterals of degree 1 resist "
+      "only the mean change of their volume; small deformation");
     p.entry("Displacement at",
             displacement_at,
             Choices<DisplacementAt>{{"automatic", DisplacementAt::automatic},

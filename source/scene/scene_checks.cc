@@ -79,6 +79,20 @@ namespace Cautery
       require(scene.numerics.degree == 1 ||
                 scene.numerics.capacity_matrix == Numerics::CapacityMatrix::consistent,
               "Numerics/Capacity matrix = lumped is for Element degree = 1 only; choose consistent");
+      require(
+        !scene.numerics.temperature_limiter ||
+          (scene.effects.has_heat() && scene.numerics.degree == 1 &&
+           scene.time.integrator == TimeSettings::Integrator::backward_euler &&
+           scene.effects.coupling != Effects::Coupling::two_way),
+        "Numerics/Temperature limiter = on is for heat by backward Euler, elements of degree 1, without "
+        "two-way coupling; turn it off");
+      require(
+        !scene.numerics.mean_dilatation ||
+          (scene.numerics.degree == 1 && scene.numerics.method == Numerics::Method::finite_elements &&
+           (scene.effects.deformation == Effects::Deformation::equilibrium ||
+            scene.effects.deformation == Effects::Deformation::inertia)),
+        "Numerics/Mean dilatation = on is for small deformation by finite elements of degree 1; turn it "
+        "off, or set Element degree = 2");
       require(ida || scene.time.end / scene.time.step <= scene.time.max_steps,
               "Time/Step = " + to_text(scene.time.step) + " s makes " +
                 to_text(std::ceil(scene.time.end / scene.time.step)) +

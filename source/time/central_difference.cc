@@ -100,7 +100,7 @@ namespace Cautery
       return;
     const auto scope = cost.measure("deformation: stable step");
     check_growth(nodes, values, far(), time);
-    motion_limit->find(values, time);
+    motion_limit->look(values, rates, time);
   }
 
   template <typename Number>

@@ -9,6 +9,9 @@ namespace Cautery
 {
   namespace
   {
+    /// Of the whole run: the delay of the flux below which it is not followed at starts.
+    constexpr double invisible = 1e-6;
+
     /// A temperature may err by the tolerance; its rate by that in one second.
     std::vector<double> tolerances(const TimeSettings &settings, const bool second_order)
     {
@@ -208,6 +211,34 @@ namespace Cautery
     y.block(1) += product;
   }
 
+  /**
+   * Where the flux settles within a time that nobody can see, while temperatures stay what they are, the rate
+   * starts settled: no step would be short enough to follow it.
+   */
+  template <int dim>
+  void IdaHeat<dim>::settle(const double time)
+  {
+    const double delay = second_order ? heat.books().delay.max() : 0.;
+    if (delay == 0. || delay > invisible * settings.end)
+      return;
+    refresh_properties(y.block(0));
+    heat.load_at(time, within, force);
+    heat.stiffness().full.vmult(product, y.block(0));
+    force -= product;
+    prescribed_rate(time, boundary);
+    heat.damping()->full.vmult(product, boundary);
+    force -= product;
+    heat.elimination().condense(force);
+    mass_solver.set_matrix(heat.damping()->reduced);
+    mass_solver.solve(product, force, 1e-12);
+    heat.elimination().distribute(product);
+    product += boundary;
+    boundary = product;
+    boundary -= y.block(1);
+    if (delay * boundary.linfty_norm() < 0.01 * settings.absolute_tolerance)
+      y.block(1) = product;
+  }
+
   template <int dim>
   void IdaHeat<dim>::make_consistent(const double time)
   {
@@ -251,6 +282,7 @@ namespace Cautery
       y.block(1) = state.temperature_rate;
     within = 0.5 * (state.time + next_switch(state.time));
     jump(state.time);
+    settle(state.time);
     make_consistent(state.time);
     ida.restart(state.time, y, y_dot);
     fresh = false;

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/time/motion_limit.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Cautery
 {
   namespace
   {
     constexpr std::uint64_t first_interval = 20, shortest_interval = 10, longest_interval = 800;
-    /// Relative changes from one look to the next. The safety factor must cover the larger one.
+    /// Relative changes from one find to the next. The safety factor must cover the larger one.
     constexpr double hardly = 0.01, much = 0.04;
+    /// Of the shortest edge, that a node may move between two finds.
+    constexpr double at_first = 0.02, least = 1e-4;
   } // namespace
 
   double longest_step(const ExplicitSettings &settings,
@@ -39,8 +44,10 @@ namespace Cautery
                                    TledNodes<Number>         &nodes,
                                    const std::vector<double> &masses)
     : settings(settings)
+    , nodes(nodes)
     , critical(body, nodes, TledBody<Number>::Part::motion, masses)
     , interval(first_interval)
+    , may_move(at_first * nodes.shortest_edge())
   {
   }
 
@@ -57,7 +64,47 @@ namespace Cautery
     else if (change > much)
       interval = std::max(interval / 2, shortest_interval);
     next = n_steps + interval;
+    // where the way since the last find has shortened the step much, less of it next time
+    const double shortened = n_found > 0 ? std::max(0., std::log(before / stable)) : 0.;
+    if (shortened > much)
+      may_move = std::max(moved * much / shortened, least * nodes.shortest_edge());
+    else if (moved > may_move)
+      may_move = moved * (2. * shortened > much ? much / shortened : 2.);
     ++n_found;
+    moved     = 0.;
+    last_look = n_steps;
+    next_look = n_steps + 1;
+  }
+
+  template <typename Number>
+  void MotionLimit<Number>::look(const Records &values, const Records &rates, const double time)
+  {
+    const std::uint64_t since = n_steps - last_look;
+    const double        way   = largest_speed(rates) * step; // of a step
+    moved += way * since;
+    if (n_steps >= next || moved > may_move)
+      {
+        find(values, time);
+        return;
+      }
+    // at half of the way that is left, and not much later than last time: bodies gather speed
+    const double  half = 0.5 * (may_move - moved);
+    std::uint64_t n    = 2 * since;
+    if (half < way * n)
+      n = std::max(1., half / way);
+    last_look = n_steps;
+    next_look = std::min(n_steps + n, next);
+  }
+
+  template <typename Number>
+  double MotionLimit<Number>::largest_speed(const Records &rates) const
+  {
+    double largest = 0.;
+    for (std::size_t i = 0; i < node_record * nodes.n_own(); ++i)
+      if (i % node_record < node_record - 1) // not of temperature
+        if (const double speed = std::abs(static_cast<double>(rates[i])); !(speed <= largest))
+          largest = std::isfinite(speed) ? speed : std::numeric_limits<double>::infinity();
+    return Utilities::MPI::max(largest, nodes.communicator());
   }
 
   template class MotionLimit<float>;

@@ -75,6 +75,18 @@ EFFECTS = [
     Case("lumped capacity of degree 2",
          "scene.prm: Numerics/Capacity matrix = lumped is for Element degree = 1 only; choose consistent",
          ["Numerics/Capacity matrix=lumped", "Numerics/Element degree=2"]),
+    Case("a limiter of temperatures with IDA",
+         "scene.prm: Numerics/Temperature limiter = on is for heat by backward Euler, elements of degree 1, without "
+         "two-way coupling; turn it off",
+         ["Numerics/Temperature limiter=on", "Time/Integrator=IDA"]),
+    Case("mean dilatation of degree 2",
+         "scene.prm: Numerics/Mean dilatation = on is for small deformation by finite elements of degree 1; turn it "
+         "off, or set Element degree = 2",
+         [*DEFORMATION, "Numerics/Mean dilatation=on", "Numerics/Element degree=2"]),
+    Case("mean dilatation of tetrahedra",
+         "scene.prm: Numerics/Mean dilatation = on is for hexahedra and quadrilaterals: a linear tetrahedron has one "
+         "dilatation only; take hexahedra, or Element degree = 2",
+         [*DEFORMATION, "Numerics/Mean dilatation=on", "Mesh/Cells=tetrahedra"], check_too=True),
     Case("IDA with two-way coupling",
          "scene.prm: Time/Integrator = IDA does not know two-way coupling; choose backward Euler or Coupling = "
          "expansion",

@@ -85,6 +85,15 @@ NUMERICAL = [
          "The largest number of steps, 2, is used up at t = 0.004 s (last step <any> s). Allow more steps or raise "
          "the tolerances.",
          ["Time/Integrator=IDA", "Time/Largest number of steps=2"], last_good=0.004, status=1),
+    Case("a sink under a limiter of temperatures",
+         "Numerics/Temperature limiter = on, but a source or a flux takes heat away in the step to t = 2 s, so that no "
+         "datum tells how cold the body may get; turn it off",
+         ["Numerics/Temperature limiter=on", f"{NEEDLE}/Power=1.5 - t"], last_good=1.0, status=1),
+    Case("a conductivity that falls below 0",
+         f"{TISSUE}/Conductivity = 0.6 - 0.1 * (T - 310) is <any> at T = <any> K, where it must be > 0; give an "
+         "expression that holds at all temperatures of the run",
+         ["Effects/Temperature-dependent properties=on", f"{TISSUE}/Conductivity=0.6 - 0.1 * (T - 310)",
+          f"{NEEDLE}/Power=if(t > 1, 50, 0)"], last_good=1.0, status=1),
     Case("a temperature beyond all numbers",
          "a right-hand side is not finite: the solution has blown up; take a smaller Time/Step",
          [f"{NEEDLE}/Power=if(t > 1, 1e307, 1)"], last_good=1.0, status=1),

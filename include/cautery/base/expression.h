@@ -5,9 +5,11 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dealii
@@ -86,6 +88,13 @@ namespace Cautery
     bool               is_constant() const { return constant.has_value(); }
     const std::string &text() const { return source; }
 
+    /** Has @p judge look at every value of an expression, with its temperature (K): its bounds are known only
+     * where it is evaluated. */
+    void judge_values(std::function<void(double value, double temperature)> judge)
+    {
+      judged = std::move(judge);
+    }
+
     /** The values that bounds are checked on: the number, the table's values, or none for an expression. */
     std::vector<double> known_values() const;
 
@@ -94,5 +103,6 @@ namespace Cautery
     std::optional<double>                  constant;
     std::vector<std::pair<double, double>> table;
     std::shared_ptr<FunctionParser<1>>     parser;
+    std::function<void(double, double)>    judged;
   };
 } // namespace Cautery

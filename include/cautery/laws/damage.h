@@ -86,8 +86,8 @@ namespace Cautery
   inline double ln_add(const double a, const double b)
   {
     const double larger = std::max(a, b);
-    if (larger == no_damage)
-      return no_damage;
+    if (!std::isfinite(larger)) // no damage at all, or beyond all numbers
+      return larger;
     return larger + std::log1p(std::exp(std::min(a, b) - larger));
   }
 
@@ -100,8 +100,8 @@ namespace Cautery
   {
     const double larger = std::max(ln_start, ln_end);
     const double fall   = larger - std::min(ln_start, ln_end);
-    if (larger == no_damage)
-      return no_damage;
+    if (!std::isfinite(larger))
+      return larger;
     // (1 - exp(-fall)) / fall, with its limits for a flat line and for an infinite fall
     const double mean = fall < 1e-12 ? 1. : (std::isfinite(fall) ? -std::expm1(-fall) / fall : 0.);
     return mean > 0. ? larger + std::log(mean * duration) : no_damage;

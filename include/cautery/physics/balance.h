@@ -42,6 +42,9 @@ namespace Cautery
     virtual const ConstrainedMatrix *inertia() const   = 0; ///< M
     virtual const ConstrainedMatrix *damping() const   = 0; ///< C
     virtual const ConstrainedMatrix &stiffness() const = 0; ///< K
+    /** What Newton's method adds to C where that is a mean over the step: d(C x')/dx' - C; nullptr: nothing.
+     */
+    virtual const ConstrainedMatrix *damping_excess() const { return nullptr; }
 
     /** Its part of the state: x and, where the state keeps it, x' (or nullptr). */
     virtual Vector State::*unknown() const = 0;
@@ -69,6 +72,13 @@ namespace Cautery
      * matrices are others than before.
      */
     virtual bool refresh(const State &state, const Vector &x) = 0;
+
+    /** May change the @p rate of the unknown over @p step, from @p state on, that the condensed matrix @p
+     * system of backward Euler has given. */
+    virtual void
+    limit(const Step & /*step*/, const State & /*state*/, const SparseMatrix & /*system*/, Vector & /*rate*/)
+    {
+    }
 
     virtual const LinearSolverSettings &solver_settings() const = 0;
     /** The unknowns of this process that remain where others are condensed away; empty: all. */

@@ -14,9 +14,11 @@ namespace Cautery
   class ThermalExpansionOperator
   {
   public:
+    /** @p mean_dilatation: see Dilatation. */
     ThermalExpansionOperator(const Field<dim>     &displacement,
                              const Field<dim>     &nodes,
-                             const TissueMap<dim> &tissues);
+                             const TissueMap<dim> &tissues,
+                             const bool            mean_dilatation = false);
 
     /** Adds the force (N per unknown) of @p temperature (K). */
     void add_force(const Vector &temperature, Vector &force) const;
@@ -42,7 +44,8 @@ namespace Cautery
     ThermoelasticFeedback(const Field<dim>     &nodes,
                           const Field<dim>     &displacement,
                           const TissueMap<dim> &tissues,
-                          const bool            non_fourier);
+                          const bool            non_fourier,
+                          const bool            mean_dilatation = false);
 
     /** W per node, of the rate of displacement (m/s). */
     const SparseMatrix &matrix() const { return feedback; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/physics/dilatation.h>
 #include <cautery/scene/tissue.h>
 #include <cautery/space/field.h>
 
@@ -20,7 +21,8 @@ namespace Cautery
   class ElasticCellTerms
   {
   public:
-    ElasticCellTerms(const Field<dim> &displacement, const Field<dim> &nodes);
+    /** @p mean_dilatation: see Dilatation. */
+    ElasticCellTerms(const Field<dim> &displacement, const Field<dim> &nodes, const bool mean_dilatation);
 
     /**
      * Goes to a cell, given as the vector field sees it, whose tissue has the @p temperature (with ghosts),
@@ -44,6 +46,7 @@ namespace Cautery
     const FiniteElement<dim> &element;
     const Field<dim>         &nodes;
     FEValues<dim>             values;
+    Dilatation<dim>           dilatation;
     std::vector<double>       temperatures; ///< at quadrature points, K
   };
 } // namespace Cautery

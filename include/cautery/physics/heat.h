@@ -5,11 +5,18 @@
 #include <cautery/physics/heat_cell.h>
 #include <cautery/physics/heat_loads.h>
 #include <cautery/physics/prescribed.h>
+#include <cautery/physics/temperature_limiter.h>
+
+#include <memory>
 
 namespace Cautery
 {
   /** For Prescribed: the temperature that @p boundary prescribes, or nullptr. */
   const Expression *prescribed_temperature(const Boundary &boundary, const unsigned int component);
+
+  /** At the nodes at t = 0, in K. */
+  template <int dim>
+  Vector initial_temperature(const Scene &scene, const Field<dim> &nodes);
 
   /**
    * The balance of heat (thesis Eqs. 4-22 and 6-8) without its coupling to deformation:
@@ -30,6 +37,10 @@ namespace Cautery
     const ConstrainedMatrix *inertia() const override { return non_fourier ? &relaxation : nullptr; }
     const ConstrainedMatrix *damping() const override { return &storage; }
     const ConstrainedMatrix &stiffness() const override { return conduction; }
+    const ConstrainedMatrix *damping_excess() const override
+    {
+      return properties_change ? &storage_excess : nullptr;
+    }
     Vector State::*unknown() const override { return &State::temperature; }
     Vector State::*rate() const override { return non_fourier ? &State::temperature_rate : nullptr; }
 
@@ -41,7 +52,8 @@ namespace Cautery
     {
       return properties_change || perfusion_stops || scene.effects.metabolism == Effects::Metabolism::q10;
     }
-    bool                        refresh(const State &state, const Vector &x) override;
+    bool refresh(const State &state, const Vector &x) override;
+    void limit(const Step &step, const State &state, const SparseMatrix &system, Vector &rate) override;
     const LinearSolverSettings &solver_settings() const override { return scene.numerics.heat_solver; }
     const IndexSet             &kept_unknowns() const override { return kept; }
     unsigned int                n_components() const override { return 1; }
@@ -73,15 +85,21 @@ namespace Cautery
     };
     const Bookkeeping &books() const { return bookkeeping; }
 
+    /** Does a limiter keep temperatures above the coldest data? Then what it gave to the nodes in the last
+     * step, in W, on the right-hand side of the balance. */
+    bool          is_limited() const { return limiter != nullptr; }
+    const Vector &lent() const { return lent_by_limiter; }
+
   private:
-    void initialize_matrices();
-    void initialize_books();
-    void assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
-    void distribute(const double tau, HeatCellTerms<dim> &terms);
-    void distribute_metabolism(const double tau, HeatCellTerms<dim> &terms);
-    void assemble_metabolism(const Vector &temperature_before, const Vector &temperature_now);
-    void finish();
-    bool dead_changed(const State &state);
+    void   initialize_matrices();
+    void   initialize_books();
+    void   assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
+    void   distribute(const double tau, HeatCellTerms<dim> &terms);
+    void   distribute_metabolism(const double tau, HeatCellTerms<dim> &terms);
+    void   assemble_metabolism(const Vector &temperature_before, const Vector &temperature_now);
+    void   finish();
+    bool   dead_changed(const State &state);
+    double coldest_data(const Step &step) const;
 
     const Scene              &scene;
     const Field<dim>         &field;
@@ -96,12 +114,16 @@ namespace Cautery
     const IndexSet            kept;
     AffineConstraints<double> nothing_fixed;
     HeatLoads<dim>            outside;
-    ConstrainedMatrix         relaxation; ///< M
-    ConstrainedMatrix         storage;    ///< C
-    ConstrainedMatrix         conduction; ///< K
+    ConstrainedMatrix         relaxation;     ///< M
+    ConstrainedMatrix         storage;        ///< C
+    ConstrainedMatrix         storage_excess; ///< with properties that change only
+    ConstrainedMatrix         conduction;     ///< K
     Vector                    inside; ///< int (w T_b + Q_met) N and, where Q_met changes, tau dQ_met/dt; W
     Bookkeeping               bookkeeping;
     bool                      assembled = false;
-    unsigned int              n_dead    = 0; ///< nodes
+    std::unique_ptr<TemperatureLimiter> limiter;
+    Vector                              lent_by_limiter;    ///< W
+    double                              coldest_start = 0.; ///< K
+    unsigned int                        n_dead        = 0;  ///< nodes
   };
 } // namespace Cautery

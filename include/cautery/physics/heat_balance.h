@@ -58,6 +58,7 @@ namespace Cautery
 
   private:
     void relax(const double dt, const Vector &before, const Vector &now);
+    void lend(const double dt);
     void flush(const State &now);
 
     Heat<dim>                        &heat;
@@ -73,6 +74,8 @@ namespace Cautery
     double metabolism = 0.;
     double expansion  = 0.;
     double first      = 0.; ///< by the first flux
+    double lent       = 0.; ///< from the surroundings, by the limiter of temperatures
+    Vector lending;         ///< its power, W per node
 
     // since the last flush
     double since = 0.;           ///< time of the last flush, s

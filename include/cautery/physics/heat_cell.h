@@ -32,11 +32,12 @@ namespace Cautery
     void add_surfaces(const typename DoFHandler<dim>::active_cell_iterator &cell,
                       const BoundaryMap<dim>                               &boundaries);
 
-    /** Row sums of capacity and exchange, on the diagonal. */
+    /** Row sums of capacity, its excess and exchange, on the diagonal. */
     void lump();
 
     std::vector<types::global_dof_index> dofs;
     FullMatrix<double>                   capacity;          ///< int rho C N N
+    FullMatrix<double>                   capacity_excess;   ///< int rho (C(T) - mean C) N N
     FullMatrix<double>                   exchange;          ///< int w N N + int h N N
     FullMatrix<double>                   conduction;        ///< int k grad N grad N
     dealii::Vector<double>               blood_weights;     ///< int w N

@@ -35,6 +35,12 @@ namespace Cautery
     /** Adds the load through surfaces alone, without any rate. */
     void add_surfaces_at(const double time, Vector &force) const;
 
+    /** Adds the load h T_a N of convection alone, without any rate. */
+    void add_convection_at(const double time, Vector &force) const;
+
+    /** Does a source, or a given flux, take heat away from a node at the end of @p step? */
+    bool take_heat(const Step &step) const;
+
     /** The tau-weighted load that comes suddenly at @p time; zero where jumps are neglected. */
     void add_jump(const double time, Vector &force) const;
 
@@ -57,7 +63,8 @@ namespace Cautery
   private:
     struct Item
     {
-      const HeatSource *source = nullptr; ///< none: through a surface, always there
+      const HeatSource *source     = nullptr; ///< none: through a surface, always there
+      bool              convection = false;
       HeatDistribution  distribution;
       Vector            load;    ///< W per node for amplitude 1
       Vector            relaxed; ///< the same times tau, W s; non-Fourier only
@@ -67,7 +74,8 @@ namespace Cautery
       double            effective  = 0.; ///< amplitude with which it really acts, where jumps are neglected
     };
 
-    void   add_item(const HeatSource *source, HeatDistribution distribution);
+    void   add_item(const HeatSource *source, const bool convection, HeatDistribution distribution);
+    Vector load_at(const Item &item, const double time) const;
     void   assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const;
     void   book(const Item  &item,
                 const double time,

@@ -64,6 +64,8 @@ namespace Cautery
     Method                   method              = Method::finite_elements;
     unsigned int             degree              = 1;
     CapacityMatrix           capacity_matrix     = CapacityMatrix::consistent;
+    bool                     temperature_limiter = false;
+    bool                     mean_dilatation     = false;
     DisplacementAt           displacement_at     = DisplacementAt::automatic;
     double                   iteration_tolerance = 1e-8; ///< of the nonlinear iteration in a step, K
     unsigned int             max_iterations      = 50;

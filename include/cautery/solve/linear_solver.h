@@ -54,7 +54,8 @@ namespace Cautery
 
     void                set_up(const LinearSolverSettings::Method method);
     std::vector<Vector> modes() const;
-    unsigned int        solve_to(Vector &x, const Vector &b, const double goal);
+    unsigned int        solve_to(Vector &x, const Vector &b, const double tolerance, const double scale);
+    double              rounding() const;
     unsigned int        correct(const double reduction);
     unsigned int        apply(const double reduction);
 

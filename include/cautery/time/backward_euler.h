@@ -34,8 +34,8 @@ namespace Cautery
     /** Adds the prescribed part to @p free_rate, then x += dt v. */
     void apply(const Step &step, Vector &free_rate, State &state);
     /**
-     * Calls @p solve, which returns the free rate; where the matrices depend on the state, again with new
-     * ones until the unknown does not change any more. Errors: ExcRun.
+     * For steps of several balances: calls @p solve, which returns the free rate; where the matrices depend
+     * on the state, again with new ones until the unknown does not change any more. Errors: ExcRun.
      */
     void repeat_until_settled(const Step &step, const State &state, const std::function<Vector &()> &solve);
 
@@ -48,7 +48,15 @@ namespace Cautery
     std::string   name() const { return equation.name(); }
 
   private:
-    void          subtract_prescribed(const Step &step, const Vector &x);
+    void          find_prescribed_rate(const Step &step, const Vector &x);
+    void          subtract_prescribed(const Step &step);
+    void          drop_prescribed();
+    void          refresh(const State &state, const Vector &iterate);
+    void          iterate(const Step &step, const State &state);
+    void          find_residual(const Step &step, const State &state);
+    void          find_direction(const ConstrainedMatrix *excess);
+    void          accelerate();
+    void          search(const Step &step, const State &state);
     const Vector &complete(Vector &free_rate);
 
     Balance        &equation;
@@ -57,10 +65,17 @@ namespace Cautery
     LinearSolver    solver;
     SparseMatrix    system;
     double          system_length  = 0.;    ///< of the step that `system` is for, s
+    bool            new_system     = false; ///< which the solver of the iteration has not seen
     bool            prescribed_met = false; ///< does x have its prescribed values already, for good?
     unsigned int    n_iterations   = 0;
     Vector          force, rate, prescribed_rate, product;
-    const Vector    no_rates;
+    Vector          residual, direction; ///< of the iteration
+    struct Round
+    {
+      Vector rate, direction;
+    };
+    std::vector<Round> rounds; ///< of the iteration, the last few
+    const Vector       no_rates;
   };
 
   /**

@@ -36,6 +36,7 @@ namespace Cautery
 
     void start(State &state);
     void jump(const double time);
+    void settle(const double time);
     void make_consistent(const double time);
     void refresh_properties(const Vector &temperature);
     /** A derivative of the prescribed temperatures, by finite differences with five weights. */

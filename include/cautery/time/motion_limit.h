@@ -24,7 +24,8 @@ namespace Cautery
 
   /**
    * How long steps of motion may be. It changes as fibres stiffen and cells shrink, and costs some 25 steps
-   * to find, so it is found anew now and then: the more seldom, the less it changes.
+   * to find, so it is found anew now and then: the more seldom, the less it changes; and sooner the faster
+   * the body moves and the more that has shortened it before.
    */
   template <typename Number>
   class MotionLimit
@@ -40,8 +41,8 @@ namespace Cautery
 
     double longest() const { return step; } ///< s
 
-    /** How many steps may be taken before it must be found anew. */
-    std::uint64_t steps_left() const { return next - n_steps; }
+    /** How many steps may be taken before the next look. */
+    std::uint64_t steps_left() const { return next_look - n_steps; }
 
     void count_step() { ++n_steps; }
 
@@ -52,13 +53,22 @@ namespace Cautery
     /** Finds it at @p values and @p time (s), which is for messages. Errors: see longest_step. Collective. */
     void find(const Records &values, const double time);
 
+    /** Finds it anew if it is time, or if a motion as fast as @p rates has gone too far since. Collective. */
+    void look(const Records &values, const Records &rates, const double time);
+
   private:
-    const ExplicitSettings &settings;
-    CriticalStep<Number>    critical;
-    double                  stable = 0.; ///< the bound that was found last, s
-    double                  step   = std::numeric_limits<double>::max();
-    std::uint64_t           interval; ///< between two looks, steps
-    std::uint64_t           n_steps = 0, next = 0;
-    unsigned int            n_found = 0;
+    double largest_speed(const Records &rates) const;
+
+    const ExplicitSettings  &settings;
+    const TledNodes<Number> &nodes;
+    CriticalStep<Number>     critical;
+    double                   stable = 0.; ///< the bound that was found last, s
+    double                   step   = std::numeric_limits<double>::max();
+    std::uint64_t            interval; ///< after which it is found anew at the latest, steps
+    std::uint64_t            n_steps = 0, next = 0;
+    unsigned int             n_found   = 0;
+    std::uint64_t            last_look = 0, next_look = 0;
+    double                   may_move;   ///< how far a node may move until it is found anew, m
+    double                   moved = 0.; ///< how far one may have moved since it was found, m
   };
 } // namespace Cautery
