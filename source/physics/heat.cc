@@ -252,6 +252,21 @@ namespace Cautery
     outside.add_at(time, within, force);
   }
 
+  template <int dim>
+  void Heat<dim>::archive(Archive &archive, const State &state)
+  {
+    outside.archive(archive);
+    if (!changes())
+      return;
+    if (archive.restores())
+      {
+        // what is dead stays dead: as many dead nodes as at the last assembly are the same ones
+        assembled = false;
+        refresh(state, state.temperature);
+      }
+    archive.shared("dead nodes", n_dead);
+  }
+
   template class Heat<2>;
   template class Heat<3>;
 } // namespace Cautery

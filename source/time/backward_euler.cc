@@ -134,13 +134,49 @@ namespace Cautery
   {
     repeat_until_settled(step, state, [&]() -> Vector & {
       if (prepare(step.length()))
-        cost.build(name() + ": set-up", [&]() { solver.set_matrix(system); });
+        set_solver();
       update_right_hand_side(step, state);
       const auto scope = cost.measure(name() + ": solve");
       n_iterations += solver.solve(rate, force);
       return rate;
     });
     apply(step, rate, state);
+  }
+
+  void BackwardEulerBalance::set_solver()
+  {
+    cost.build(name() + ": set-up", [&]() { solver.set_matrix(system); });
+  }
+
+  void BackwardEulerBalance::archive(Archive                     &archive,
+                                     const State                 &state,
+                                     const std::function<void()> &archive_solver)
+  {
+    double length  = system_length;
+    bool   started = rate.size() > 0;
+    archive.shared("length of the step", length);
+    archive.shared("prescribed values met", prescribed_met);
+    archive.shared("linear iterations", n_iterations);
+    archive.shared("started", started);
+    if (archive.restores())
+      {
+        system_length = 0.;
+        if (length > 0.)
+          prepare(length);
+        if (started)
+          rate.reinit(state.*equation.unknown());
+      }
+    archive.nodal("rate", rate);
+    archive_solver();
+  }
+
+  void BackwardEulerBalance::archive(Archive &archive, const State &state)
+  {
+    this->archive(archive, state, [&]() {
+      if (archive.restores() && system_length > 0.)
+        set_solver();
+      solver.archive(archive);
+    });
   }
 
   BackwardEuler::BackwardEuler(const TimeSettings           &settings,
@@ -160,6 +196,12 @@ namespace Cautery
       balance->advance(step, state);
     state.time = step.to;
     ++state.step;
+  }
+
+  void BackwardEuler::archive(Archive &archive, const State &state)
+  {
+    for (auto &balance : balances)
+      archive.section(balance->name(), [&]() { balance->archive(archive, state); });
   }
 
   std::map<std::string, double> BackwardEuler::statistics() const

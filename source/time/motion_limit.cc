@@ -60,6 +60,17 @@ namespace Cautery
     ++n_found;
   }
 
+  template <typename Number>
+  void MotionLimit<Number>::archive(Archive &archive)
+  {
+    archive.shared("stable step", stable);
+    archive.shared("longest step", step);
+    archive.shared("steps between two looks", interval);
+    archive.shared("steps taken", n_steps);
+    archive.shared("next look", next);
+    archive.shared("times found", n_found);
+  }
+
   template class MotionLimit<float>;
   template class MotionLimit<double>;
 } // namespace Cautery

@@ -46,6 +46,12 @@ namespace Cautery
     {
       double sources  = 0.;
       double surfaces = 0.;
+
+      void archive(Archive &archive)
+      {
+        archive.shared("received from sources", sources);
+        archive.shared("received through surfaces", surfaces);
+      }
     };
 
     /**
@@ -53,6 +59,8 @@ namespace Cautery
      * changes in time counts with the mean of both ends (@p trapezoid), or with the end.
      */
     void record(const Step &step, const bool trapezoid, Vector &nodal_heat, Received &received);
+
+    void archive(Archive &archive);
 
   private:
     struct Item

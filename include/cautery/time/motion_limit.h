@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/base/archive.h>
 #include <cautery/physics/critical_step.h>
 #include <cautery/scene/explicit_settings.h>
 
@@ -51,6 +52,8 @@ namespace Cautery
 
     /** Finds it at @p values and @p time (s), which is for messages. Errors: see longest_step. Collective. */
     void find(const Records &values, const double time);
+
+    void archive(Archive &archive);
 
   private:
     const ExplicitSettings &settings;
