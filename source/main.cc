@@ -28,13 +28,15 @@ namespace
   const char usage[] = R"(cautery simulates the thermal ablation of soft tissue.
 
   cautery SCENE.prm [options]          run a scene
+  cautery SCENE.prm --resume           go on with a run that has ended early, from its last checkpoint
   cautery check SCENE.prm [options]    validate it; print effects, unknowns, steps, and what a run will cost
   cautery accuracy SCENE.prm [options] what accuracy costs in time: its ladders of mesh, step, ... run and compared
   cautery effects SCENE.prm [options]  what each effect changes in the answer and costs
   cautery parameters                   print the documented template of a scene
   mpirun -np N cautery ...             the same on N processes
 
-Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
+Exit status: 0 done, 1 the run failed or was stopped by SIGTERM or SIGINT (it then writes its checkpoint; at
+SIGUSR1 too, and goes on), 2 the input is wrong.
 )";
 
   struct CommandLine
@@ -42,6 +44,7 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     std::string           command = "run";
     std::string           scene;
     std::string           directory;
+    bool                  resume = false;
     std::vector<Override> overrides;
   };
 
@@ -53,6 +56,7 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
     option("set",
            options::value<std::vector<std::string>>()->composing(),
            "\"Section/Entry=value\": replace an entry of the scene (may be given again)");
+    option("resume", "go on from the checkpoint in the output directory");
     option("help,h", "print this");
     option("version", "print the version");
     return description;
@@ -109,6 +113,9 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
                          (words.empty() ? "" : ", not `" + join(words, " ") + "`") + "; see cautery --help"));
     if (needs_scene)
       line.scene = words.front();
+    line.resume = given.count("resume") > 0;
+    AssertThrow(!line.resume || line.command == "run",
+                ExcInput("--resume goes with a scene to run; see cautery --help"));
     if (given.count("output"))
       line.directory = given["output"].as<std::string>();
     if (given.count("set"))
@@ -147,10 +154,10 @@ Exit status: 0 done, 1 the run failed numerically, 2 the input is wrong.
       }
     else if (line.command == "effects")
       study_effects({line.scene, line.overrides}, scene, directory_of(line, scene), MPI_COMM_WORLD);
-    else if (scene.accuracy.temperature_within > 0.)
+    else if (scene.accuracy.temperature_within > 0. && !line.resume)
       run_to_goal({line.scene, line.overrides}, scene, directory_of(line, scene), MPI_COMM_WORLD);
     else
-      run_scene(scene, MPI_COMM_WORLD, directory_of(line, scene));
+      run_scene(scene, MPI_COMM_WORLD, directory_of(line, scene), Voice::speaks, line.resume);
   }
 
   std::string message_of(const std::exception &exception)

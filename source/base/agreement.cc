@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/base/agreement.h>
+#include <cautery/base/parameters.h>
 
 #include <deal.II/base/timer.h>
 
 #include <chrono>
+#include <sstream>
 #include <thread>
 
 namespace Cautery
@@ -20,5 +22,46 @@ namespace Cautery
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
     return all_here != 0;
+  }
+
+  namespace
+  {
+    std::string reason_of(const ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      return Utilities::trim(text.str());
+    }
+  } // namespace
+
+  void fail_together(const MPI_Comm communicator, const std::function<void()> &work)
+  {
+    const unsigned int me     = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int nobody = Utilities::MPI::n_mpi_processes(communicator);
+    unsigned int       failed = nobody;
+    bool               input  = false;
+    std::string        reason;
+    try
+      {
+        work();
+      }
+    catch (const ExcInput &exception)
+      {
+        failed = me;
+        input  = true;
+        reason = reason_of(exception);
+      }
+    catch (const ExcRun &exception)
+      {
+        failed = me;
+        reason = reason_of(exception);
+      }
+    const unsigned int first = Utilities::MPI::min(failed, communicator);
+    if (first == nobody)
+      return;
+    input  = Utilities::MPI::broadcast(communicator, input, first);
+    reason = Utilities::MPI::broadcast(communicator, reason, first);
+    AssertThrow(!input, ExcInput(reason));
+    AssertThrow(false, ExcRun(reason));
   }
 } // namespace Cautery

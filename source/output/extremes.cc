@@ -31,6 +31,15 @@ namespace Cautery
         std::max(ln_damage_max, *std::max_element(state.ln_damage.begin(), state.ln_damage.end()));
   }
 
+  void Extremes::archive(Archive &archive)
+  {
+    archive.shared("temperature max", temperature_max);
+    archive.shared("temperature min", temperature_min);
+    archive.shared("displacement max", displacement_max);
+    archive.shared("ln damage max", ln_damage_max);
+    archive.shared("hottest now", hottest_now);
+  }
+
   Extremes Extremes::reduced(const MPI_Comm communicator) const
   {
     Extremes all         = *this;

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/agreement.h>
+#include <cautery/base/files.h>
 #include <cautery/output/fields.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <utility>
 
 namespace Cautery
 {
@@ -64,25 +70,71 @@ namespace Cautery
     data.set_flags(flags);
     // a nonlinear cell cannot be written for simplices: two patches an edge show degree 2 as well
     data.build_patches(nodes.mapping(), nodes.element().degree);
-    const std::string file = "solution_" + Utilities::int_to_string(written.size(), 4) + ".vtu";
-    data.write_vtu_in_parallel(directory + "/" + file, nodes.communicator());
-    written.emplace_back(snapshot.state.time, file);
-    write_index(nodes.communicator());
+    write(data, directory + "/" + file_name(times.size()), nodes.communicator());
+    times.push_back(snapshot.state.time);
+    fail_together(nodes.communicator(), [this]() { write_index(); });
   }
 
   template <int dim>
-  void Fields<dim>::write_index(const MPI_Comm communicator) const
+  std::string Fields<dim>::file_name(const unsigned int number) const
   {
-    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+    return "solution_" + Utilities::int_to_string(number, 4) + ".vtu";
+  }
+
+  /// Under its name once it is complete.
+  template <int dim>
+  void
+  Fields<dim>::write(const DataOut<dim> &data, const std::string &file, const MPI_Comm communicator) const
+  {
+    const std::string part = file + ".part";
+    errno                  = 0;
+    try
+      {
+        if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+          {
+            std::ofstream out(part);
+            data.write_vtu(out);
+            out.close();
+            AssertThrow(out, ExcIO());
+          }
+        else
+          data.write_vtu_in_parallel(part, communicator);
+      }
+    catch (const ExceptionBase &)
+      {
+        const std::string reason = errno != 0 ? std::strerror(errno) : "is the disk full?";
+        std::remove(part.c_str());
+        AssertThrow(false, ExcRun("cannot write " + file + ": " + reason));
+      }
+    fail_together(communicator, [&]() {
+      if (indexes && std::rename(part.c_str(), file.c_str()) != 0)
+        throw ExcRun("cannot write " + file + ": " + std::strerror(errno));
+    });
+  }
+
+  template <int dim>
+  void Fields<dim>::write_index() const
+  {
+    if (!indexes)
       return;
-    // replaced in one go: a reader never sees half an index
-    const std::string name = directory + "/solution.pvd";
-    {
-      std::ofstream index(name + ".part");
-      DataOutBase::write_pvd_record(index, written);
-      AssertThrow(index, ExcRun("cannot write " + name + ": is the disk full?"));
-    }
-    std::filesystem::rename(name + ".part", name);
+    std::vector<std::pair<double, std::string>> files;
+    for (const double time : times)
+      files.emplace_back(time, file_name(files.size()));
+    std::ostringstream index;
+    DataOutBase::write_pvd_record(index, files);
+    replace_file(directory + "/solution.pvd", index.str());
+  }
+
+  template <int dim>
+  void Fields<dim>::archive(Archive &archive)
+  {
+    archive.shared("fields", times);
+    if (!indexes || !archive.restores())
+      return;
+    std::error_code error;
+    for (unsigned int i = times.size(); std::filesystem::remove(directory + "/" + file_name(i), error); ++i)
+      ;
+    write_index();
   }
 
   template class Fields<2>;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/agreement.h>
 #include <cautery/output/probes.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
 #include <iomanip>
+#include <sstream>
 
 namespace Cautery
 {
@@ -33,15 +35,6 @@ namespace Cautery
                       const Field<dim>         &nodes)
     : probes(probes), nodes(nodes), locations(locate(probes, locator))
   {
-  }
-
-  template <int dim>
-  void Probes<dim>::write_to(const std::string &file_name)
-  {
-    if (probes.empty() || Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
-      return;
-    file.open(file_name);
-    AssertThrow(file, ExcRun("cannot write " + file_name));
   }
 
   template <int dim>
@@ -81,31 +74,38 @@ namespace Cautery
       }
     // one process has each probe, the others add zeros
     Utilities::MPI::sum(values, nodes.communicator(), values);
-    if (Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
-      return;
+    fail_together(nodes.communicator(), [&]() {
+      if (Utilities::MPI::this_mpi_process(nodes.communicator()) == 0)
+        file.add(rows(snapshot.state.time, columns, values));
+    });
+  }
 
-    const bool has_damage = !columns.empty() && columns.back().name == "ln_damage";
-    if (!has_header)
+  template <int dim>
+  std::string Probes<dim>::rows(const double                    time,
+                                const std::vector<NodalColumn> &columns,
+                                const std::vector<double>      &values) const
+  {
+    std::ostringstream out;
+    const bool         has_damage = !columns.empty() && columns.back().name == "ln_damage";
+    if (file.length() == 0)
       {
-        file << "time_s,probe,x_m,y_m,z_m";
+        out << "time_s,probe,x_m,y_m,z_m";
         for (const auto &column : columns)
-          file << ',' << column.name;
-        file << (has_damage ? ",damage\n" : "\n");
-        has_header = true;
+          out << ',' << column.name;
+        out << (has_damage ? ",damage\n" : "\n");
       }
     for (unsigned int p = 0; p < probes.size(); ++p)
       {
         const auto &place = probes[p].place;
-        file << std::setprecision(12) << snapshot.state.time << ',' << probes[p].name << ',' << place[0]
-             << ',' << place[1] << ',' << place[2] << std::setprecision(15);
+        out << std::setprecision(12) << time << ',' << probes[p].name << ',' << place[0] << ',' << place[1]
+            << ',' << place[2] << std::setprecision(15);
         for (unsigned int c = 0; c < columns.size(); ++c)
-          file << ',' << values[p * columns.size() + c];
+          out << ',' << values[p * columns.size() + c];
         if (has_damage)
-          file << ',' << std::exp(values[(p + 1) * columns.size() - 1]);
-        file << '\n';
+          out << ',' << std::exp(values[(p + 1) * columns.size() - 1]);
+        out << '\n';
       }
-    file.flush();
-    AssertThrow(file, ExcRun("cannot write probes.csv: is the disk full?"));
+    return out.str();
   }
 
   template class Probes<2>;

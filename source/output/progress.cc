@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/agreement.h>
 #include <cautery/output/progress.h>
 
 #include <cstdio>
@@ -8,14 +9,23 @@
 
 namespace Cautery
 {
-  Progress::Progress(const bool speaks, const std::string &log_file, const double end_time)
-    : speaks(speaks), terminal(isatty(STDOUT_FILENO) != 0), end_time(end_time)
+  Progress::Progress(const MPI_Comm communicator, const bool speaks, const double end_time)
+    : communicator(communicator)
+    , silent(!speaks)
+    , speaks(speaks && Utilities::MPI::this_mpi_process(communicator) == 0)
+    , terminal(isatty(STDOUT_FILENO) != 0)
+    , end_time(end_time)
   {
-    if (speaks)
-      log.open(log_file);
   }
 
   Progress::~Progress() { clear(); }
+
+  void Progress::log_to(const std::string &file_name)
+  {
+    logs = !silent;
+    if (speaks)
+      log.name_it(file_name);
+  }
 
   void Progress::clear()
   {
@@ -26,11 +36,23 @@ namespace Cautery
 
   void Progress::say(const std::string &text)
   {
-    if (!speaks)
-      return;
-    clear();
-    std::cout << text << std::flush;
-    log << text << std::flush;
+    if (speaks)
+      {
+        clear();
+        std::cout << text << std::flush;
+      }
+    if (logs)
+      fail_together(communicator, [&]() {
+        if (speaks)
+          log.add(text);
+      });
+  }
+
+  void Progress::archive(const double time, Archive &archive)
+  {
+    log.archive("log", archive);
+    if (archive.restores())
+      begin_time = time;
   }
 
   void Progress::show(const double time, const unsigned int step, const double hottest)
@@ -48,14 +70,15 @@ namespace Cautery
   std::string Progress::line(const double time, const unsigned int step, const double hottest) const
   {
     const double share   = time / end_time;
+    const double covered = (time - begin_time) / end_time;
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
     char         buffer[160];
     std::snprintf(buffer, sizeof(buffer), "t = %.6g s  step %u  %.0f %%", time, step, 100. * share);
     std::ostringstream out;
     out << buffer;
-    if (share > 0. && share < 1.)
+    if (covered > 0. && share < 1.)
       {
-        const double left = elapsed * (1. - share) / share;
+        const double left = elapsed * (1. - share) / covered;
         std::snprintf(
           buffer, sizeof(buffer), "  %d:%02d left", static_cast<int>(left) / 60, static_cast<int>(left) % 60);
         out << buffer;

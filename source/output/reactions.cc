@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/agreement.h>
 #include <cautery/output/reactions.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <iomanip>
+#include <sstream>
 
 namespace Cautery
 {
@@ -79,16 +81,6 @@ namespace Cautery
   }
 
   template <int dim>
-  void Reactions<dim>::write_to(const std::string &file_name)
-  {
-    if (Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
-      return;
-    file.open(file_name);
-    file << "time_s,support,force_x_N,force_y_N,force_z_N\n" << std::setprecision(15);
-    AssertThrow(file, ExcRun("cannot write " + file_name));
-  }
-
-  template <int dim>
   void Reactions<dim>::observe(const Snapshot<dim> &snapshot)
   {
     Assert(snapshot.unbalanced_forces != nullptr, ExcInternalError());
@@ -98,13 +90,17 @@ namespace Cautery
         for (unsigned int c = 0; c < dim; ++c)
           sums[3 * s + c] += (*snapshot.unbalanced_forces)(dim * node + c);
     Utilities::MPI::sum(sums, nodes.communicator(), sums);
-    if (Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
-      return;
+    std::ostringstream rows;
+    rows << std::setprecision(15);
+    if (file.length() == 0)
+      rows << "time_s,support,force_x_N,force_y_N,force_z_N\n";
     for (unsigned int s = 0; s < supports.size(); ++s)
-      file << snapshot.state.time << ',' << supports[s].name << ',' << sums[3 * s] << ',' << sums[3 * s + 1]
+      rows << snapshot.state.time << ',' << supports[s].name << ',' << sums[3 * s] << ',' << sums[3 * s + 1]
            << ',' << sums[3 * s + 2] << '\n';
-    file.flush();
-    AssertThrow(file, ExcRun("cannot write reactions.csv: is the disk full?"));
+    fail_together(nodes.communicator(), [&]() {
+      if (Utilities::MPI::this_mpi_process(nodes.communicator()) == 0)
+        file.add(rows.str());
+    });
   }
 
   template class Reactions<2>;

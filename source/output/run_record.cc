@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/files.h>
 #include <cautery/base/version.h>
 #include <cautery/output/run_record.h>
 
@@ -7,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -175,6 +174,8 @@ namespace Cautery
     json["status"]     = status;
     json["message"]    = message;
     json["end_time_s"] = end_time;
+    if (resumed_from)
+      json["resumed_from_s"] = *resumed_from;
     json["effects"]    = {{"on", effects.on()}, {"off", effects.off()}};
     json["unknowns"]   = unknowns;
     json["time_steps"] = time_steps;
@@ -188,13 +189,7 @@ namespace Cautery
     if (forecast)
       json["forecast"] = forecast_json(*this);
 
-    const std::string part = file_name + ".part";
-    {
-      std::ofstream file(part);
-      file << json.dump(2) << '\n';
-      AssertThrow(file, ExcRun("cannot write " + file_name + ": is the disk full?"));
-    }
-    std::filesystem::rename(part, file_name);
+    replace_file(file_name, json.dump(2) + '\n');
   }
 
   std::string RunRecord::text() const

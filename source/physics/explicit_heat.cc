@@ -108,6 +108,7 @@ namespace Cautery
   {
     start_temperature = state.temperature;
     last_temperature  = state.temperature;
+    n_dead            = numbers::invalid_unsigned_int; // the constructor knew no damage
     refresh(state);
     if (!non_fourier)
       return;
@@ -300,6 +301,37 @@ namespace Cautery
     result.blood      = over_all(blood) - bled;
     result.boundary   = over_all(convected + first + taken) - received.surfaces;
     return result;
+  }
+
+  template <typename Number>
+  void ExplicitHeat<Number>::archive(Archive &archive, const State &state)
+  {
+    if (scene.effects.metabolism == Effects::Metabolism::q10)
+      archive.nodal("last temperature", last_temperature);
+    if (archive.restores() && scene.effects.perfusion_stops_in_dead_tissue)
+      {
+        // what is dead stays dead: as many dead nodes as at the last assembly are the same ones
+        const Vector temperature = field.ghosted(state.temperature),
+                     ln_damage   = field.ghosted(state.ln_damage);
+        assemble(&temperature, &temperature, &ln_damage);
+      }
+    archive.shared("dead nodes", n_dead);
+    std::vector<double> settled_nodes = {static_cast<double>(n_settled)};
+    if (archive.own("settled nodes", settled_nodes))
+      n_settled = settled_nodes.front();
+
+    outside.archive(archive);
+    received.archive(archive);
+    archive.nodal("start temperature", start_temperature);
+    archive.nodal("conducted", conducted);
+    archive.nodal("inside", inside);
+    archive.nodal("metabolic rate", metabolic_rate);
+    archive.summed("lost to blood", blood);
+    archive.shared("brought by blood", bled);
+    archive.shared("made by metabolism", made);
+    archive.summed("lost by convection", convected);
+    archive.summed("taken by prescribed temperatures", taken);
+    archive.summed("carried by the first flux", first);
   }
 
   template class ExplicitHeat<float>;

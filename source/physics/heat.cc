@@ -328,6 +328,21 @@ namespace Cautery
     rate.add(1. / step.length(), change);
   }
 
+  template <int dim>
+  void Heat<dim>::archive(Archive &archive, const State &state)
+  {
+    outside.archive(archive);
+    if (!changes())
+      return;
+    if (archive.restores())
+      {
+        // what is dead stays dead: as many dead nodes as at the last assembly are the same ones
+        assembled = false;
+        refresh(state, state.temperature);
+      }
+    archive.shared("dead nodes", n_dead);
+  }
+
   template Vector initial_temperature(const Scene &, const Field<2> &);
   template Vector initial_temperature(const Scene &, const Field<3> &);
   template class Heat<2>;

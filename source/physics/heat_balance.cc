@@ -180,6 +180,32 @@ namespace Cautery
     return result;
   }
 
+  template <int dim>
+  void HeatBalance<dim>::archive(Archive &archive)
+  {
+    received.archive(archive);
+    archive.shared("stored", stored);
+    archive.shared("lost to blood", blood);
+    archive.shared("lost through surfaces", surfaces);
+    archive.shared("made by metabolism", metabolism);
+    archive.shared("consumed by expansion", expansion);
+    archive.shared("carried by the first flux", first);
+    archive.shared("lent by the limiter", lent);
+    if (heat.is_limited() && lending.size() == 0)
+      lending = heat.nodes().vector();
+    archive.nodal("power lent", lending);
+    archive.shared("last flush", since);
+    archive.nodal("delivered", delivered);
+    archive.nodal("left", left);
+    archive.nodal("last temperature", last_temperature);
+    archive.nodal("temperature at the last flush", temperature_then);
+    archive.nodal("displacement at the last flush", displacement_then);
+    archive.nodal("integral of temperature", temperature_integral);
+    archive.nodal("first flux", first_flux);
+    archive.nodal("delayed temperature", delayed);
+    archive.nodal("integral of delayed temperature", delayed_integral);
+  }
+
   template class HeatBalance<2>;
   template class HeatBalance<3>;
 } // namespace Cautery

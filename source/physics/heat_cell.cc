@@ -74,9 +74,10 @@ namespace Cautery
       {
         const double before = temperature_before[q];
         const double now    = temperature_now[q];
-        // the mean heat capacity between both temperatures stores exactly the difference of enthalpy
+        // the mean heat capacity between both temperatures stores exactly the difference of enthalpy; a
+        // constant one must not depend on them by rounding
         const double heat_capacity =
-          std::abs(now - before) < 1e-6 ?
+          tissue.thermal.specific_heat.is_constant() || std::abs(now - before) < 1e-6 ?
             tissue.thermal.heat_capacity(now) :
             tissue.thermal.density * tissue.thermal.specific_heat.integral(before, now) / (now - before);
         const double excess =

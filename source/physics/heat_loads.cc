@@ -319,6 +319,16 @@ namespace Cautery
     (item.source != nullptr ? received.sources : received.surfaces) += heat;
   }
 
+  template <int dim>
+  void HeatLoads<dim>::archive(Archive &archive)
+  {
+    for (unsigned int i = 0; i < items.size(); ++i)
+      archive.section("load " + std::to_string(i), [&]() {
+        archive.shared("last share", items[i].last_share);
+        archive.shared("effective amplitude", items[i].effective);
+      });
+  }
+
   template class HeatLoads<2>;
   template class HeatLoads<3>;
 } // namespace Cautery

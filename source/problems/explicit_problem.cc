@@ -126,6 +126,23 @@ namespace Cautery
   }
 
   template <typename Number>
+  void ExplicitProblem<Number>::archive(Archive &archive, const State &state)
+  {
+    if (heat)
+      archive_heat(archive, state, *heat, *heat_integrator, *books);
+    archive.section("explicit loop", [&]() { central_difference->archive(archive, state); });
+    if (damage)
+      damage->archive(archive);
+  }
+
+  template <typename Number>
+  void ExplicitProblem<Number>::start_anew()
+  {
+    if (heat_integrator)
+      heat_integrator->start_anew();
+  }
+
+  template <typename Number>
   std::map<std::string, types::global_dof_index> ExplicitProblem<Number>::unknowns() const
   {
     std::map<std::string, types::global_dof_index> result;

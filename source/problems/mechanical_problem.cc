@@ -65,6 +65,16 @@ namespace Cautery
   }
 
   template <int dim>
+  void MechanicalProblem<dim>::archive(Archive &archive, const State &state)
+  {
+    archive.shared("solved at", solved_at);
+    if (integrator)
+      integrator->archive(archive, state);
+    if (statics.equilibrium)
+      archive.section("equilibrium", [&]() { statics.equilibrium->archive(archive, state); });
+  }
+
+  template <int dim>
   std::map<std::string, types::global_dof_index> MechanicalProblem<dim>::unknowns() const
   {
     std::map<std::string, types::global_dof_index> result = {{"displacement", field.n_unknowns()}};

@@ -69,9 +69,10 @@ namespace Cautery
   {
     void remove_results(const std::string &directory)
     {
-      const std::regex results("summary\\.json|probes\\.csv|reactions\\.csv|log\\.txt|solution\\.pvd|"
-                               "solution_[0-9]+(\\.[0-9]+)?\\.p?vtu");
-      std::error_code  error;
+      const std::regex results(
+        "(summary\\.json|probes\\.csv|reactions\\.csv|log\\.txt|solution\\.pvd|checkpoint\\.h5|"
+        "solution_[0-9]+(\\.[0-9]+)?\\.p?vtu)(\\.part)?");
+      std::error_code error;
       for (const auto &entry : std::filesystem::directory_iterator(directory, error))
         if (std::regex_match(entry.path().filename().string(), results))
           std::filesystem::remove(entry.path(), error);
@@ -97,42 +98,6 @@ namespace Cautery
   }
 
   template <int dim>
-  void Simulation<dim>::prepare_outputs(const std::string &directory)
-  {
-    const auto scope = cost.measure("output: files");
-    prepare_directory(directory);
-    probes->write_to(directory + "/probes.csv");
-    if (scene.output.reactions)
-      {
-        auto reactions = std::make_unique<Reactions<dim>>(scene, body->nodes, body->boundaries);
-        reactions->write_to(directory + "/reactions.csv");
-        others.push_back(std::move(reactions));
-      }
-    if (scene.output.fields)
-      others.push_back(std::make_unique<Fields<dim>>(directory));
-  }
-
-  template <int dim>
-  void Simulation<dim>::go(State &state, Progress &progress, const bool only_trial)
-  {
-    extremes.observe(state, dim);
-    last_good = state;
-    observe(state);
-    for (const double time : scene.output.output_times(scene.time.end))
-      {
-        while (state.time < time)
-          {
-            advance(state, time, progress);
-            if (only_trial && forecast.result())
-              return;
-          }
-        observe(state);
-        if (!scene.output.every_step)
-          say_step(state, progress);
-      }
-  }
-
-  template <int dim>
   Forecast::Result Simulation<dim>::trial()
   {
     std::string directory;
@@ -152,40 +117,156 @@ namespace Cautery
         std::filesystem::remove_all(*path, error);
       });
     State    state = problem->start();
-    Progress progress(false, "", scene.time.end);
-    prepare_outputs(directory);
+    Progress progress(communicator, false, scene.time.end);
+    last_good = state;
+    make_outputs(directory);
+    begin(directory, state, progress);
     go(state, progress, true);
     const double memory = Utilities::MPI::sum(Cost::peak_memory(), communicator);
     return forecast.result() ? *forecast.result() : Forecast::Result{cost.wall_seconds(), memory, state.step};
   }
 
   template <int dim>
-  RunRecord Simulation<dim>::run(const std::string &directory, const Voice voice)
+  RunRecord Simulation<dim>::run(const std::string &directory, const Voice voice, const bool resume_it)
   {
-    State state = problem->start(); // which may refuse the input: nothing must have been written
-    prepare_outputs(directory);
-    Progress progress(voice == Voice::speaks && Utilities::MPI::this_mpi_process(communicator) == 0,
-                      directory + "/log.txt",
-                      scene.time.end);
-    {
-      const auto scope = cost.measure("output: files");
-      progress.say(description());
-    }
+    State    state = problem->start(); // which may refuse the input: nothing must have been written
+    Progress progress(communicator, voice == Voice::speaks, scene.time.end);
+    last_good = state;
+    make_outputs(directory);
+    if (voice == Voice::speaks) // runs of a study are short, and end as it does
+      safekeeper = std::make_unique<Safekeeper<dim>>(directory, scene, *body, *problem, cost);
+    bool stopped = false;
     try
       {
-        go(state, progress, false);
+        if (resume_it)
+          resume(directory, state, progress);
+        else
+          begin(directory, state, progress);
+        stopped = !go(state, progress, false);
       }
     catch (const ExcRun &failure)
       {
         if (!all_processes_come(communicator))
           throw; // nothing more can be done together
-        std::ostringstream reason;
-        failure.print_info(reason);
-        observe_last_good();
-        finish(last_good, directory, reason.str(), progress);
+        end_failed(directory, failure, progress);
         throw;
       }
-    return finish(state, directory, "", progress);
+    const std::string message =
+      stopped ? "stopped by a signal at t = " + to_text(state.time) + " s; " +
+                  safekeeper->checkpoint().file_name() + " holds t = " + to_text(safekeeper->time()) +
+                  " s: go on with `cautery " + directory + "/scene.prm --resume --output " + directory + "`" :
+                "";
+    const RunRecord result = finish(state, directory, stopped ? "stopped" : "done", message, progress);
+    AssertThrow(!stopped, ExcRun(message));
+    if (safekeeper)
+      safekeeper->checkpoint().remove();
+    return result;
+  }
+
+  template <int dim>
+  void Simulation<dim>::make_outputs(const std::string &directory)
+  {
+    const bool writes = Utilities::MPI::this_mpi_process(communicator) == 0;
+    if (writes)
+      probes->write_to(directory + "/probes.csv");
+    if (scene.output.reactions)
+      {
+        auto reactions = std::make_unique<Reactions<dim>>(scene, body->nodes, body->boundaries);
+        if (writes)
+          reactions->write_to(directory + "/reactions.csv");
+        others.push_back(std::move(reactions));
+      }
+    if (scene.output.fields)
+      others.push_back(std::make_unique<Fields<dim>>(directory, writes));
+  }
+
+  template <int dim>
+  void Simulation<dim>::begin(const std::string &directory, State &state, Progress &progress)
+  {
+    {
+      const auto scope = cost.measure("output: files");
+      prepare_directory(directory);
+      progress.log_to(directory + "/log.txt");
+      progress.say(description());
+    }
+    extremes.observe(state, dim);
+    observe(state);
+  }
+
+  template <int dim>
+  void Simulation<dim>::resume(const std::string &directory, State &state, Progress &progress)
+  {
+    progress.say(description()); // which the log has already
+    progress.log_to(directory + "/log.txt");
+    Archive stored = safekeeper->checkpoint().read();
+    archive(stored, state, progress);
+    safekeeper->resumed_at(state);
+    last_good    = state;
+    resumed_from = state.time;
+    resumed_step = state.step;
+    progress.say("Resumed at t = " + to_text(state.time) + " s, step " + std::to_string(state.step) + "\n");
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        std::filesystem::remove(directory + "/summary.json", error); // of the run that has ended early
+      }
+  }
+
+  /** All that the rest of the run depends on. The files come last: they are cut where all else fits. */
+  template <int dim>
+  void Simulation<dim>::archive(Archive &archive, State &state, Progress &progress)
+  {
+    archive.section("state", [&]() { state.archive(archive); });
+    archive.section("problem", [&]() { problem->archive(archive, state); });
+    Extremes so_far = extremes.reduced(communicator);
+    archive.section("extremes", [&]() { so_far.archive(archive); });
+    extremes = so_far;
+    archive.shared("last output", observed);
+    fail_together(communicator, [&]() {
+      probes->archive(archive);
+      for (auto &observer : others)
+        observer->archive(archive);
+      progress.archive(state.time, archive);
+    });
+  }
+
+  template <int dim>
+  bool Simulation<dim>::go(State &state, Progress &progress, const bool only_trial)
+  {
+    const auto store = [&](Archive &stored) { archive(stored, state, progress); };
+    for (const double time : scene.output.output_times(scene.time.end))
+      {
+        if (time <= state.time)
+          continue; // before it resumed
+        while (state.time < time)
+          {
+            if (safekeeper && safekeeper->look(state, store))
+              return false;
+            advance(state, time, progress);
+            if (only_trial && forecast.result())
+              return true;
+          }
+        observe(state);
+        if (!scene.output.every_step)
+          say_step(state, progress);
+      }
+    return true;
+  }
+
+  template <int dim>
+  void Simulation<dim>::end_failed(const std::string &directory, const ExcRun &failure, Progress &progress)
+  {
+    std::ostringstream reason;
+    failure.print_info(reason);
+    try
+      {
+        observe_last_good();
+        finish(last_good, directory, "failed", reason.str(), progress);
+      }
+    catch (const ExcRun &)
+      {
+        // a full disk takes nothing more: the reason is told, and what was written before stands
+      }
   }
 
   template <int dim>
@@ -291,15 +372,16 @@ namespace Cautery
   RunRecord Simulation<dim>::record(const State &state) const
   {
     RunRecord result;
-    result.title      = scene.title;
-    result.effects    = scene.effects;
-    result.dimension  = dim;
-    result.end_time   = state.time;
-    result.unknowns   = problem->unknowns();
-    result.time_steps = state.step;
-    result.statistics = problem->statistics();
-    result.extremes   = extremes.reduced(communicator);
-    result.balance    = problem->heat_totals(state);
+    result.title        = scene.title;
+    result.effects      = scene.effects;
+    result.dimension    = dim;
+    result.end_time     = state.time;
+    result.resumed_from = resumed_from;
+    result.unknowns     = problem->unknowns();
+    result.time_steps   = state.step;
+    result.statistics   = problem->statistics();
+    result.extremes     = extremes.reduced(communicator);
+    result.balance      = problem->heat_totals(state);
     if (ablation)
       {
         RunRecord::Ablation zone;
@@ -311,11 +393,12 @@ namespace Cautery
             body->mesh.regions().at(id), volume, volume / body->mesh.volumes().at(id)};
         result.ablation = zone;
       }
-    result.wall_seconds      = cost.wall_seconds();
-    result.processor_seconds = Utilities::MPI::max(cost.processor_seconds(), communicator);
-    result.seconds_per_step  = state.step > 0 ? loop_seconds / state.step : 0.;
-    result.seconds_by_part   = cost.seconds_by_part();
-    result.seconds_by_effect = cost.seconds_by_effect();
+    result.wall_seconds        = cost.wall_seconds();
+    result.processor_seconds   = Utilities::MPI::max(cost.processor_seconds(), communicator);
+    const unsigned int n_steps = state.step - resumed_step;
+    result.seconds_per_step    = n_steps > 0 ? loop_seconds / n_steps : 0.;
+    result.seconds_by_part     = cost.seconds_by_part();
+    result.seconds_by_effect   = cost.seconds_by_effect();
     for (const auto &[effect, bytes] : cost.bytes_by_effect())
       result.bytes_by_effect[effect] = Utilities::MPI::sum(bytes, communicator);
     result.peak_memory = Utilities::MPI::sum(Cost::peak_memory(), communicator);
@@ -327,14 +410,17 @@ namespace Cautery
   template <int dim>
   RunRecord Simulation<dim>::finish(const State       &state,
                                     const std::string &directory,
-                                    const std::string &failure,
+                                    const std::string &status,
+                                    const std::string &message,
                                     Progress          &progress)
   {
     RunRecord result = record(state);
-    result.status    = failure.empty() ? "done" : "failed";
-    result.message   = failure;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      result.write(directory + "/summary.json");
+    result.status    = status;
+    result.message   = message;
+    fail_together(communicator, [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        result.write(directory + "/summary.json");
+    });
     progress.say('\n' + result.text() + "Results        " + directory + '\n');
     return result;
   }
@@ -342,12 +428,15 @@ namespace Cautery
   template class Simulation<2>;
   template class Simulation<3>;
 
-  RunRecord
-  run_scene(const Scene &scene, const MPI_Comm communicator, const std::string &directory, const Voice voice)
+  RunRecord run_scene(const Scene       &scene,
+                      const MPI_Comm     communicator,
+                      const std::string &directory,
+                      const Voice        voice,
+                      const bool         resume)
   {
     if (scene.dimension == 2)
-      return Simulation<2>(scene, communicator).run(directory, voice);
-    return Simulation<3>(scene, communicator).run(directory, voice);
+      return Simulation<2>(scene, communicator).run(directory, voice, resume);
+    return Simulation<3>(scene, communicator).run(directory, voice, resume);
   }
 
   namespace

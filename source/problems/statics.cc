@@ -22,7 +22,8 @@ namespace Cautery
         supports.check_held(scene);
       }
 
-      void                          solve(State &state) override { relaxation.solve(state); }
+      void solve(State &state) override { relaxation.solve(state); }
+      void archive(Archive &archive, const State &state) override { relaxation.archive(archive, state); }
       std::map<std::string, double> statistics() const override { return relaxation.statistics(); }
       Vector                        unbalanced_forces(const State &state)
       {

@@ -88,6 +88,23 @@ namespace Cautery
   }
 
   template <int dim>
+  void archive_heat(
+    Archive &archive, const State &state, Heat<dim> &heat, Integrator &integrator, HeatBalance<dim> &books)
+  {
+    archive.section("heat", [&]() { heat.archive(archive, state); });
+    archive.section("integrator", [&]() { integrator.archive(archive, state); });
+    archive.section("books", [&]() { books.archive(archive); });
+  }
+
+  template <int dim>
+  void ThermalProblem<dim>::archive(Archive &archive, const State &state)
+  {
+    archive_heat(archive, state, heat, *integrator, *books);
+    if (damage)
+      damage->archive(archive);
+  }
+
+  template <int dim>
   std::map<std::string, types::global_dof_index> ThermalProblem<dim>::unknowns() const
   {
     std::map<std::string, types::global_dof_index> result = {{"temperature", body.nodes.n_unknowns()}};
@@ -100,8 +117,10 @@ namespace Cautery
   template void                        start_heat(const Scene &, const Field<3> &, State &);
   template std::unique_ptr<Integrator> make_heat_integrator(const Scene &, Heat<2> &, Cost &);
   template std::unique_ptr<Integrator> make_heat_integrator(const Scene &, Heat<3> &, Cost &);
-  template HeatBalance<2>::Rule        bookkeeping_rule<2>(const TimeSettings &);
-  template HeatBalance<3>::Rule        bookkeeping_rule<3>(const TimeSettings &);
+  template void archive_heat(Archive &, const State &, Heat<2> &, Integrator &, HeatBalance<2> &);
+  template void archive_heat(Archive &, const State &, Heat<3> &, Integrator &, HeatBalance<3> &);
+  template HeatBalance<2>::Rule bookkeeping_rule<2>(const TimeSettings &);
+  template HeatBalance<3>::Rule bookkeeping_rule<3>(const TimeSettings &);
   template class ThermalProblem<2>;
   template class ThermalProblem<3>;
 } // namespace Cautery

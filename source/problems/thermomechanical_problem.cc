@@ -132,6 +132,17 @@ namespace Cautery
   }
 
   template <int dim>
+  void ThermomechanicalProblem<dim>::archive(Archive &archive, const State &state)
+  {
+    archive_heat(archive, state, heat, *integrator, *books);
+    archive.shared("solved at", solved_at);
+    if (statics.equilibrium)
+      archive.section("equilibrium", [&]() { statics.equilibrium->archive(archive, state); });
+    if (damage)
+      damage->archive(archive);
+  }
+
+  template <int dim>
   std::map<std::string, types::global_dof_index> ThermomechanicalProblem<dim>::unknowns() const
   {
     std::map<std::string, types::global_dof_index> result = {{"temperature", body.nodes.n_unknowns()},

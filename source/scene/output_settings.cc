@@ -29,6 +29,22 @@ namespace Cautery
     return result;
   }
 
+  void CheckpointSettings::parameters(Parameters &p)
+  {
+    p.entry("Steps",
+            steps,
+            "Steps of the time loop between two checkpoints, from which `--resume` goes on; 0: not by their "
+            "number. "
+            "IDA starts anew at each of them");
+    p.entry(
+      "Minutes",
+      minutes,
+      "min",
+      "Wall time between two checkpoints; 0: not by the clock. Where Steps is 0, IDA starts anew every 200 "
+      "steps, and the checkpoint is of the last of these",
+      Bounds::non_negative());
+  }
+
   void OutputSettings::parameters(Parameters &p)
   {
     p.entry(
@@ -52,6 +68,7 @@ namespace Cautery
     p.entry("Probe places", probe_places, "m", "Places of the probes, x, y, z; separated by semicolons");
     p.entry("Ablation centre", ablation_centre, "m", "Point from which the ablation radius is measured");
     p.entry("Every step", every_step, "Write a line for every step to the log");
+    p.section("Checkpoints", [&]() { checkpoints.parameters(p); });
     if (!p.reading())
       return;
     if (probe_names.size() != probe_places.size())

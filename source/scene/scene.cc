@@ -182,6 +182,27 @@ namespace Cautery
       handler.print_parameters(stream, style);
       return stream.str();
     }
+
+    const auto complete = static_cast<ParameterHandler::OutputStyle>(
+      ParameterHandler::PRM | ParameterHandler::Short | ParameterHandler::KeepDeclarationOrder);
+
+    /// Where the mesh and the results are makes no other run. When checkpoints are written neither, but for
+    /// IDA.
+    std::string identity(const Scene &scene, ParameterHandler &handler)
+    {
+      handler.enter_subsection("Mesh");
+      handler.set("File name", std::string());
+      handler.leave_subsection();
+      handler.enter_subsection("Output");
+      handler.set("Directory", std::string());
+      handler.enter_subsection("Checkpoints");
+      handler.set("Minutes", std::string("0"));
+      if (scene.time.integrator != TimeSettings::Integrator::ida)
+        handler.set("Steps", std::string("0"));
+      handler.leave_subsection();
+      handler.leave_subsection();
+      return written(handler, complete);
+    }
   } // namespace
 
   Scene read_scene(const std::string &file_name, const std::vector<Override> &overrides)
@@ -204,8 +225,8 @@ namespace Cautery
         Parameters reading(handler, Parameters::Mode::read);
         scene_parameters(scene, reading);
         check(scene);
-        scene.complete_text = written(
-          handler, ParameterHandler::PRM | ParameterHandler::Short | ParameterHandler::KeepDeclarationOrder);
+        scene.complete_text = written(handler, complete);
+        scene.identity      = identity(scene, handler);
         return scene;
       }
     catch (const ExcInput &exception)

@@ -12,6 +12,7 @@
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -129,6 +130,9 @@ namespace Cautery
       list.set("null space: dimension", static_cast<int>(modes.size()));
       list.set("null space: vectors", values.data());
       list.set("null space: add default vectors", false);
+      // its estimates of eigenvalues start from random numbers: the same, however often it was set up before
+      std::srand(1);
+      ML_set_random_seed(1);
       auto amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
       amg->initialize(matrix, list);
       return amg;
@@ -217,6 +221,18 @@ namespace Cautery
     else
       x = solution;
     return iterations;
+  }
+
+  void LinearSolver::archive(Archive &archive)
+  {
+    archive.shared("largest right-hand side", largest_right_hand_side);
+    if (!engine)
+      return;
+    unsigned int method = static_cast<unsigned int>(engine->method);
+    archive.shared("method", method);
+    if (method != static_cast<unsigned int>(engine->method))
+      set_up(static_cast<Method>(method));
+    guess.archive(archive);
   }
 
   unsigned int LinearSolver::correct(const double reduction)

@@ -169,6 +169,24 @@ namespace Cautery
       solution.resize(n_directions, 0.);
   }
 
+  void ProjectedGuess::archive(Archive &archive)
+  {
+    Numbers sizes = {static_cast<double>(n_directions), static_cast<double>(solutions.size())}, coefficients;
+    for (const auto &solution : solutions)
+      coefficients.insert(coefficients.end(), solution.begin(), solution.end());
+    if (!archive.own("sizes", sizes))
+      return;
+    archive.own("directions", directions);
+    archive.own("images", images);
+    archive.own("solutions", coefficients);
+    if (!archive.restores())
+      return;
+    n_directions = sizes[0];
+    solutions.clear();
+    for (auto first = coefficients.begin(); solutions.size() < sizes[1]; first += n_directions)
+      solutions.emplace_back(first, first + n_directions);
+  }
+
   void ProjectedGuess::condense()
   {
     auto combinations = orthonormal_basis(solutions);

@@ -221,7 +221,7 @@ namespace Cautery
     if (excess != nullptr)
       system.add(1., excess->reduced);
     if (new_system || excess != nullptr)
-      cost.build(name() + ": set-up", [&]() { solver.set_matrix(system); });
+      set_solver();
     new_system = false;
     if (excess != nullptr)
       system_length = 0.; // it is not that of the balance any more
@@ -311,13 +311,49 @@ namespace Cautery
     if (equation.changes())
       refresh(state, state.*equation.unknown());
     if (prepare(step.length()))
-      cost.build(name() + ": set-up", [&]() { solver.set_matrix(system); });
+      set_solver();
     update_right_hand_side(step, state);
     {
       const auto scope = cost.measure(name() + ": solve");
       n_iterations += solver.solve(rate, force);
     }
     apply(step, rate, state);
+  }
+
+  void BackwardEulerBalance::set_solver()
+  {
+    cost.build(name() + ": set-up", [&]() { solver.set_matrix(system); });
+  }
+
+  void BackwardEulerBalance::archive(Archive                     &archive,
+                                     const State                 &state,
+                                     const std::function<void()> &archive_solver)
+  {
+    double length  = system_length;
+    bool   started = rate.size() > 0;
+    archive.shared("length of the step", length);
+    archive.shared("prescribed values met", prescribed_met);
+    archive.shared("linear iterations", n_iterations);
+    archive.shared("started", started);
+    if (archive.restores())
+      {
+        system_length = 0.;
+        if (length > 0.)
+          prepare(length);
+        if (started)
+          rate.reinit(state.*equation.unknown());
+      }
+    archive.nodal("rate", rate);
+    archive_solver();
+  }
+
+  void BackwardEulerBalance::archive(Archive &archive, const State &state)
+  {
+    this->archive(archive, state, [&]() {
+      if (archive.restores() && system_length > 0.)
+        set_solver();
+      solver.archive(archive);
+    });
   }
 
   BackwardEuler::BackwardEuler(const TimeSettings           &settings,
@@ -337,6 +373,12 @@ namespace Cautery
       balance->advance(step, state);
     state.time = step.to;
     ++state.step;
+  }
+
+  void BackwardEuler::archive(Archive &archive, const State &state)
+  {
+    for (auto &balance : balances)
+      archive.section(balance->name(), [&]() { balance->archive(archive, state); });
   }
 
   std::map<std::string, double> BackwardEuler::statistics() const

@@ -268,9 +268,15 @@ namespace Cautery
     if (std::abs(mean - motion_mean) <= same_length * mean)
       return;
     motion_mean = mean;
-    motion->fill(mean, settings.damping, motion->masses(), drift_keep, drift_gain);
+    fill_motion();
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::fill_motion()
+  {
+    motion->fill(motion_mean, settings.damping, motion->masses(), drift_keep, drift_gain);
     if (heat != nullptr)
-      motion->fill(mean, settings.damping, motion->masses(), keep, gain);
+      motion->fill(motion_mean, settings.damping, motion->masses(), keep, gain);
   }
 
   template <typename Number>
@@ -316,6 +322,30 @@ namespace Cautery
           if (heat->relaxes())
             state.temperature_rate.begin()[node] = rates[node_record * node + dim];
         }
+  }
+
+  template <typename Number>
+  void CentralDifference<Number>::archive(Archive &archive, const State &state)
+  {
+    archive.nodal("values", values.data(), node_record * nodes.n_own());
+    archive.nodal("rates", rates.data(), node_record * nodes.n_own());
+    archive.shared("last motion step", last_motion_step);
+    archive.shared("motion coefficients", motion_mean);
+    archive.shared("heat coefficients", heat_duration);
+    archive.shared("longest heat step", longest_heat);
+    archive.shared("heat steps", n_heat_steps);
+    archive.shared("motion limit seen", motion_limit_seen);
+    if (motion != nullptr)
+      archive.section("stable step", [&]() { motion_limit->archive(archive); });
+    if (heat != nullptr)
+      archive.section("heat", [&]() { heat->archive(archive, state); });
+    if (!archive.restores())
+      return;
+    nodes.update(values);
+    if (motion_mean > 0.)
+      fill_motion();
+    if (heat_duration > 0.)
+      heat->fill(heat_duration, keep, gain, exchange);
   }
 
   template <typename Number>

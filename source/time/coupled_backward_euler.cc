@@ -87,9 +87,20 @@ namespace Cautery
   void CoupledBackwardEuler<dim>::prepare(const double new_length, const State &state)
   {
     if (heat.prepare(new_length))
-      cost.build("heat: set-up", [&]() { heat_solver.set_matrix(heat.system_matrix()); });
-    if (!deformation.prepare(new_length))
-      return;
+      set_heat_solver();
+    if (deformation.prepare(new_length))
+      set_deformation_solver(new_length, state);
+  }
+
+  template <int dim>
+  void CoupledBackwardEuler<dim>::set_heat_solver()
+  {
+    cost.build("heat: set-up", [&]() { heat_solver.set_matrix(heat.system_matrix()); });
+  }
+
+  template <int dim>
+  void CoupledBackwardEuler<dim>::set_deformation_solver(const double new_length, const State &state)
+  {
     cost.build("deformation: set-up", [&]() { deformation_solver.set_matrix(deformation.system_matrix()); });
     const auto scope = cost.measure("coupling: set-up");
     cooling.copy_from(feedback.matrix());
@@ -175,6 +186,33 @@ namespace Cautery
     deformation.apply(step, rates.block(1), state);
     state.time = step.to;
     ++state.step;
+  }
+
+  template <int dim>
+  void CoupledBackwardEuler<dim>::archive(Archive &archive, const State &state)
+  {
+    archive.shared("length of the step", length);
+    const bool restores = archive.restores() && length > 0.;
+    archive.section("heat", [&]() {
+      heat.archive(archive, state, [&]() {
+        if (restores)
+          set_heat_solver();
+        heat_solver.archive(archive);
+      });
+    });
+    archive.section("deformation", [&]() {
+      deformation.archive(archive, state, [&]() {
+        if (restores)
+          set_deformation_solver(length, state);
+        deformation_solver.archive(archive);
+      });
+    });
+    archive.shared("largest right-hand side", largest_right_hand_side);
+    archive.shared("iterations", n_iterations);
+    if (length == 0.)
+      return;
+    archive.nodal("rate of temperature", rates.block(0));
+    archive.nodal("rate of displacement", rates.block(1));
   }
 
   template <int dim>

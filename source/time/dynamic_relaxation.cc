@@ -170,6 +170,15 @@ namespace Cautery
     ++n_steps;
   }
 
+  void DynamicRelaxation::archive(Archive &archive, const State &)
+  {
+    archive.shared("steps", n_steps);
+    archive.nodal("values", values.data(), node_record * nodes.n_own());
+    archive.nodal("loads", loads.data(), node_record * nodes.n_own());
+    if (archive.restores())
+      nodes.update(values);
+  }
+
   std::map<std::string, double> DynamicRelaxation::statistics() const
   {
     if (n_steps == 0)

@@ -19,12 +19,7 @@ namespace Cautery
             const auto scope = cost.measure(equation.name() + ": assembly");
             equation.refresh(state, x);
           }
-        cost.build(equation.name() + ": set-up", [&]() {
-          solver.set_matrix(equation.stiffness().reduced);
-          for (auto *vector : {&force, &solution, &product})
-            vector->reinit(x);
-        });
-        ready = true;
+        set_matrix(x);
       }
 
     const bool moved = equation.stiffness().full.m() > 0; // else all prescribed values are zero
@@ -47,6 +42,25 @@ namespace Cautery
       x += solution;
     else
       x = solution;
+  }
+
+  void LinearEquilibrium::set_matrix(const Vector &x)
+  {
+    cost.build(equation.name() + ": set-up", [&]() {
+      solver.set_matrix(equation.stiffness().reduced);
+      for (auto *vector : {&force, &solution, &product})
+        vector->reinit(x);
+    });
+    ready = true;
+  }
+
+  void LinearEquilibrium::archive(Archive &archive, const State &state)
+  {
+    archive.shared("linear iterations", n_iterations);
+    archive.shared("ready", ready);
+    if (archive.restores() && ready && !equation.changes())
+      set_matrix(state.*equation.unknown());
+    solver.archive(archive);
   }
 
   std::map<std::string, double> LinearEquilibrium::statistics() const

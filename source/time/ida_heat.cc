@@ -11,11 +11,20 @@ namespace Cautery
   {
     /// Of the whole run: the delay of the flux below which it is not followed at starts.
     constexpr double invisible = 1e-6;
+    /// Of the duration of a run: 6 * 0.05 s and 0.3 s are the same time, and nothing can be done in between.
+    constexpr double same_time = 1e-12;
 
     /// A temperature may err by the tolerance; its rate by that in one second.
     std::vector<double> tolerances(const TimeSettings &settings, const bool second_order)
     {
       return std::vector<double>(second_order ? 2 : 1, settings.absolute_tolerance);
+    }
+
+    /// The switch that is no farther than @p close from @p time; if there is none, @p time.
+    double switch_at(const std::vector<double> &switches, const double time, const double close)
+    {
+      const auto found = std::lower_bound(switches.begin(), switches.end(), time - close);
+      return found != switches.end() && *found <= time + close ? *found : time;
     }
   } // namespace
 
@@ -43,7 +52,7 @@ namespace Cautery
   template <int dim>
   double IdaHeat<dim>::next_switch(const double time) const
   {
-    const auto after = std::upper_bound(switches.begin(), switches.end(), time);
+    const auto after = std::upper_bound(switches.begin(), switches.end(), time + same_time * settings.end);
     return after == switches.end() ? settings.end : *after;
   }
 
@@ -281,7 +290,8 @@ namespace Cautery
     if (second_order)
       y.block(1) = state.temperature_rate;
     within = 0.5 * (state.time + next_switch(state.time));
-    jump(state.time);
+    refresh_properties(y.block(0));
+    jump(switch_at(switches, state.time, same_time * settings.end));
     settle(state.time);
     make_consistent(state.time);
     ida.restart(state.time, y, y_dot);
@@ -296,12 +306,21 @@ namespace Cautery
     if (fresh)
       start(state);
     const double switch_time = next_switch(state.time);
-    state.time               = ida.step(y, y_dot, std::min(stop, switch_time));
+    const bool   together    = std::abs(switch_time - stop) <= same_time * settings.end;
+    state.time               = ida.step(y, y_dot, together ? stop : std::min(stop, switch_time));
     state.temperature        = y.block(0);
     if (second_order)
       state.temperature_rate = y.block(1);
     ++state.step;
-    fresh = state.time >= switch_time && switch_time < settings.end;
+    fresh = state.time >= switch_time - same_time * settings.end && switch_time < settings.end;
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::archive(Archive &archive, const State &)
+  {
+    archive.shared("linear iterations", n_iterations);
+    ida.archive(archive);
+    fresh = fresh || archive.restores();
   }
 
   template <int dim>

@@ -264,6 +264,18 @@ namespace Cautery
     return error.l2_norm() / std::sqrt(error.size());
   }
 
+  void IdaSolver::archive(Archive &archive)
+  {
+    archive.shared("steps", total.steps);
+    archive.shared("residual evaluations", total.residual_evaluations);
+    archive.shared("Jacobian set-ups", total.jacobian_set_ups);
+    archive.shared("linear solves", total.linear_solves);
+    archive.shared("error test failures", total.error_test_failures);
+    archive.shared("convergence failures", total.convergence_failures);
+    archive.shared("last order", total.last_order);
+    archive.shared("last step", total.last_step);
+  }
+
   void IdaSolver::check(const int flag, const std::string &function) const
   {
     if (flag >= 0)

@@ -107,6 +107,20 @@ namespace Cautery
     return Utilities::MPI::max(largest, nodes.communicator());
   }
 
+  template <typename Number>
+  void MotionLimit<Number>::archive(Archive &archive)
+  {
+    archive.shared("stable step", stable);
+    archive.shared("longest step", step);
+    archive.shared("steps between two looks", interval);
+    archive.shared("steps taken", n_steps);
+    archive.shared("next look", next);
+    archive.shared("times found", n_found);
+    archive.shared("last look at speeds", last_look);
+    archive.shared("next look at speeds", next_look);
+    archive.shared("moved since", moved);
+  }
+
   template class MotionLimit<float>;
   template class MotionLimit<double>;
 } // namespace Cautery

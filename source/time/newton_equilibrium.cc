@@ -233,6 +233,21 @@ namespace Cautery
   }
 
   template <int dim>
+  void NewtonEquilibrium<dim>::archive(Archive &archive, const State &state)
+  {
+    archive.shared("started", started);
+    archive.shared("typical force", typical);
+    archive.shared("load steps", n_steps);
+    archive.shared("iterations", n_newton);
+    archive.shared("linear iterations", n_linear);
+    if (!started)
+      return;
+    if (archive.restores())
+      reached = body.unloaded(state); // of the right sizes
+    reached.archive(archive);
+  }
+
+  template <int dim>
   std::map<std::string, double> NewtonEquilibrium<dim>::statistics() const
   {
     return {

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <functional>
+
 namespace Cautery
 {
   using namespace dealii;
@@ -13,4 +15,10 @@ namespace Cautery
    * as the others would for it. Where the answer is no, only MPI_Abort is left.
    */
   bool all_processes_come(const MPI_Comm communicator, const double patience = 3.);
+
+  /**
+   * Calls @p work on every process, where it must not wait for others. If it throws ExcInput or ExcRun on one
+   * of them, all throw that: so what process 0 alone writes or reads fails for all.
+   */
+  void fail_together(const MPI_Comm communicator, const std::function<void()> &work);
 } // namespace Cautery

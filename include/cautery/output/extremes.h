@@ -19,6 +19,9 @@ namespace Cautery
 
     double hottest_now = 0.; ///< K, at the last step
 
+    /** Of a run so far: those of all processes. */
+    void archive(Archive &archive);
+
     /** Of this process. */
     void observe(const State &state, const unsigned int dimension);
 

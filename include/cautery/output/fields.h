@@ -3,8 +3,9 @@
 
 #include <cautery/output/observer.h>
 
+#include <deal.II/numerics/data_out.h>
+
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace Cautery
@@ -17,15 +18,19 @@ namespace Cautery
   class Fields : public Observer<dim>
   {
   public:
-    explicit Fields(const std::string &directory) : directory(directory) {}
+    Fields(const std::string &directory, const bool indexes) : directory(directory), indexes(indexes) {}
 
     std::string name() const override { return "output: fields"; }
     void        observe(const Snapshot<dim> &snapshot) override;
+    void        archive(Archive &archive) override;
 
   private:
-    void write_index(const MPI_Comm communicator) const;
+    void        write(const DataOut<dim> &data, const std::string &file, const MPI_Comm communicator) const;
+    void        write_index() const;
+    std::string file_name(const unsigned int number) const;
 
-    const std::string                           directory;
-    std::vector<std::pair<double, std::string>> written; ///< times (s) and files
+    const std::string   directory;
+    const bool          indexes; ///< process 0 does
+    std::vector<double> times;   ///< of what is written, s
   };
 } // namespace Cautery

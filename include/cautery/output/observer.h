@@ -23,5 +23,8 @@ namespace Cautery
 
     /** Collective. */
     virtual void observe(const Snapshot<dim> &snapshot) = 0;
+
+    /** How far its files have come; where it brings back, what follows is cut off. Not collective. */
+    virtual void archive(Archive &) {}
   };
 } // namespace Cautery

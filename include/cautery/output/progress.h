@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/base/files.h>
+
 #include <chrono>
-#include <fstream>
 #include <string>
 
 namespace Cautery
@@ -14,10 +15,17 @@ namespace Cautery
   class Progress
   {
   public:
-    Progress(const bool speaks, const std::string &log_file, const double end_time);
+    /** Silent (@p speaks is false) it writes no log either. */
+    Progress(const MPI_Comm communicator, const bool speaks, const double end_time);
     ~Progress();
 
-    /** A line, or several, for good. */
+    /** What is said from now on is written there too. */
+    void log_to(const std::string &file_name);
+
+    /** The log's length, see GrowingFile; and where the archive brings back, time goes on from @p time. */
+    void archive(const double time, Archive &archive);
+
+    /** A line, or several, for good. Collective. Errors: ExcRun where the log cannot be written. */
     void say(const std::string &text);
 
     /** Updates the progress line, a few times a second at most. @p hottest in K, or 0 without heat. */
@@ -31,10 +39,14 @@ namespace Cautery
 
     void clear();
 
-    const bool        speaks;
+    const MPI_Comm    communicator;
+    const bool        silent; ///< all processes are
+    const bool        speaks; ///< this one does
     const bool        terminal;
     const double      end_time;
-    std::ofstream     log;
+    double            begin_time = 0.; ///< s
+    GrowingFile       log;
+    bool              logs  = false;
     Clock::time_point start = Clock::now();
     Clock::time_point last  = start;
     bool              shown = false;

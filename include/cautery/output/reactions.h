@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/base/files.h>
 #include <cautery/output/observer.h>
 #include <cautery/scene/scene.h>
 #include <cautery/space/assignment.h>
-
-#include <fstream>
 
 namespace Cautery
 {
@@ -20,10 +19,11 @@ namespace Cautery
     Reactions(const Scene &scene, const Field<dim> &nodes, const BoundaryMap<dim> &boundaries);
 
     /** The file appears with the first row. */
-    void write_to(const std::string &file_name);
+    void write_to(const std::string &file_name) { file.name_it(file_name); }
 
     std::string name() const override { return "output: reactions"; }
     void        observe(const Snapshot<dim> &snapshot) override;
+    void        archive(Archive &archive) override { file.archive("reactions", archive); }
 
   private:
     struct Support
@@ -36,6 +36,6 @@ namespace Cautery
     const Field<dim>                 &nodes;
     std::vector<Support>              supports;
     std::set<types::global_dof_index> taken;
-    std::ofstream                     file;
+    GrowingFile                       file;
   };
 } // namespace Cautery

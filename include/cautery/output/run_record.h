@@ -19,11 +19,13 @@ namespace Cautery
   struct RunRecord
   {
     std::string  title;
-    std::string  status = "running"; ///< "done", "failed"
+    std::string  status = "running"; ///< "done", "failed", "stopped"
     std::string  message;
     Effects      effects;
     unsigned int dimension = 3;  ///< in two dimensions volumes and heat are those of one metre of depth
     double       end_time  = 0.; ///< reached, s
+
+    std::optional<double> resumed_from; ///< s; none: the run began at its start
 
     std::map<std::string, types::global_dof_index> unknowns;
     unsigned int                                   time_steps = 0;

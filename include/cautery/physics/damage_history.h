@@ -30,6 +30,8 @@ namespace Cautery
      */
     void advance(const double duration, State &state);
 
+    void archive(Archive &archive) { archive.nodal("last ln rates", last_ln_rates); }
+
   private:
     double              ln_gain(const double ln_start, const double ln_end, const double duration) const;
     std::vector<double> ln_rates(const State &state) const;

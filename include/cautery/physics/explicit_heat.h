@@ -55,6 +55,9 @@ namespace Cautery
     /** Collective. */
     HeatTotals totals(const State &state) const;
 
+    /** @p state is that of the archive already. Collective where it brings back. */
+    void archive(Archive &archive, const State &state);
+
     /** Lumped capacities rho C V of the process's own nodes, J/K. */
     std::vector<double> capacities() const { return {capacity.begin(), capacity.end()}; }
 

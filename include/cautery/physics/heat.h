@@ -59,6 +59,9 @@ namespace Cautery
     unsigned int                n_components() const override { return 1; }
     std::vector<Vector>         near_null_space() const override;
 
+    /** @p state is that of the archive already. Collective where it brings back. */
+    void archive(Archive &archive, const State &state);
+
     /** F and tau dF/dt at one time, see HeatLoads::add_at. */
     void load_at(const double time, const double within, Vector &force) const;
 

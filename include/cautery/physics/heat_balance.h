@@ -56,6 +56,8 @@ namespace Cautery
     /** The books up to @p now, the state of the last recorded step. */
     HeatTotals totals(const State &now);
 
+    void archive(Archive &archive);
+
   private:
     void relax(const double dt, const Vector &before, const Vector &now);
     void lend(const double dt);

@@ -52,6 +52,12 @@ namespace Cautery
     {
       double sources  = 0.;
       double surfaces = 0.;
+
+      void archive(Archive &archive)
+      {
+        archive.shared("received from sources", sources);
+        archive.shared("received through surfaces", surfaces);
+      }
     };
 
     /**
@@ -59,6 +65,8 @@ namespace Cautery
      * changes in time counts with the mean of both ends (@p trapezoid), or with the end.
      */
     void record(const Step &step, const bool trapezoid, Vector &nodal_heat, Received &received);
+
+    void archive(Archive &archive);
 
   private:
     struct Item

@@ -23,6 +23,7 @@ namespace Cautery
     std::optional<MechanicalFields<dim>>           mechanical_fields(const State &state) const override;
     const Field<dim>                              *displacement() const override { return &field; }
     std::optional<Vector>                          unbalanced_forces(const State &state) override;
+    void                                           archive(Archive &archive, const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
 

@@ -40,6 +40,13 @@ namespace Cautery
     virtual std::optional<Vector>     unbalanced_forces(const State &) { return {}; }
     virtual std::optional<HeatTotals> heat_totals(const State &) { return {}; }
 
+    /** All that it remembers besides @p state, which is that of the archive already. Collective where it
+     * brings back. */
+    virtual void archive(Archive &archive, const State &state) = 0;
+    /** See Integrator. */
+    virtual bool can_be_archived() const { return true; }
+    virtual void start_anew() {}
+
     /** By name: temperature, displacement, ... */
     virtual std::map<std::string, types::global_dof_index> unknowns() const   = 0;
     virtual std::map<std::string, double>                  statistics() const = 0;

@@ -7,7 +7,7 @@
 #include <cautery/output/probes.h>
 #include <cautery/output/progress.h>
 #include <cautery/output/run_record.h>
-#include <cautery/problems/problem.h>
+#include <cautery/problems/safekeeper.h>
 
 #include <memory>
 #include <string>
@@ -41,22 +41,32 @@ namespace Cautery
      */
     Forecast::Result trial();
 
-    /** Runs and writes into @p directory. Errors: ExcRun, after the last good state has been written. */
-    RunRecord run(const std::string &directory, const Voice voice = Voice::speaks);
+    /**
+     * Runs and writes into @p directory; with @p resume goes on from the checkpoint there. Errors: ExcRun,
+     * after the last good state has been written; ExcInput for what cannot be resumed, with nothing changed.
+     */
+    RunRecord run(const std::string &directory, const Voice voice = Voice::speaks, const bool resume = false);
 
   private:
     void prepare_directory(const std::string &directory) const;
-    void prepare_outputs(const std::string &directory);
-    /// From the start to the end, or until the forecast is made.
-    void      go(State &state, Progress &progress, const bool only_trial);
+    void make_outputs(const std::string &directory);
+    void begin(const std::string &directory, State &state, Progress &progress);
+    void resume(const std::string &directory, State &state, Progress &progress);
+    void archive(Archive &archive, State &state, Progress &progress);
+    /// To the end, or until the forecast is made. False where it has been asked to stop.
+    bool      go(State &state, Progress &progress, const bool only_trial);
+    void      end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
     void      advance(State &state, const double stop, Progress &progress);
     void      foretell(const double length, const double seconds, const double time);
     void      observe(State &state);
     void      observe_last_good();
     void      say_step(const State &state, Progress &progress) const; ///< collective
     RunRecord record(const State &state) const;
-    RunRecord
-    finish(const State &state, const std::string &directory, const std::string &failure, Progress &progress);
+    RunRecord finish(const State       &state,
+                     const std::string &directory,
+                     const std::string &status,
+                     const std::string &message,
+                     Progress          &progress);
 
     const Scene                                &scene;
     const MPI_Comm                              communicator;
@@ -66,18 +76,22 @@ namespace Cautery
     std::unique_ptr<Probes<dim>>                probes;
     std::unique_ptr<AblationZone<dim>>          ablation;
     std::vector<std::unique_ptr<Observer<dim>>> others;
+    std::unique_ptr<Safekeeper<dim>>            safekeeper;
     Extremes                                    extremes;
     Forecast                                    forecast;
     State                                       last_good;          ///< after the last complete step
     double                                      observed     = -1.; ///< s; when the outputs were last asked
     double                                      loop_seconds = 0.;
+    std::optional<double>                       resumed_from;     ///< s
+    unsigned int                                resumed_step = 0; ///< 0: the run began at its start
   };
 
   /** A run of @p scene, in its dimension. Errors: as those of Simulation. */
   RunRecord run_scene(const Scene       &scene,
                       const MPI_Comm     communicator,
                       const std::string &directory,
-                      const Voice        voice = Voice::speaks);
+                      const Voice        voice  = Voice::speaks,
+                      const bool         resume = false);
 
   /** What it is going to do and to cost. Errors: as those of Simulation. */
   std::string checked_scene(const Scene &scene, const MPI_Comm communicator);

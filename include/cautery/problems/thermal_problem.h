@@ -16,9 +16,12 @@ namespace Cautery
   public:
     ThermalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
-    State                                          start() override;
-    void                                           step(State &state, const double stop) override;
-    std::optional<HeatTotals>                      heat_totals(const State &state) override;
+    State                     start() override;
+    void                      step(State &state, const double stop) override;
+    std::optional<HeatTotals> heat_totals(const State &state) override;
+    void                      archive(Archive &archive, const State &state) override;
+    bool                      can_be_archived() const override { return integrator->can_be_archived(); }
+    void                      start_anew() override { integrator->start_anew(); }
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double> statistics() const override { return integrator->statistics(); }
 
@@ -40,6 +43,11 @@ namespace Cautery
   /** Backward Euler or IDA, as the scene says. Arguments must live as long as it. */
   template <int dim>
   std::unique_ptr<Integrator> make_heat_integrator(const Scene &scene, Heat<dim> &heat, Cost &cost);
+
+  /** Heat, what advances it, and its books, see Problem::archive. */
+  template <int dim>
+  void archive_heat(
+    Archive &archive, const State &state, Heat<dim> &heat, Integrator &integrator, HeatBalance<dim> &books);
 
   /** How the books integrate over a step of the scene's integrator. */
   template <int dim>

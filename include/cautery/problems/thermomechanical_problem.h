@@ -18,13 +18,16 @@ namespace Cautery
   public:
     ThermomechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
-    State                                          start() override;
-    void                                           step(State &state, const double stop) override;
-    void                                           complete(State &state) override;
-    std::optional<MechanicalFields<dim>>           mechanical_fields(const State &state) const override;
-    const Field<dim>                              *displacement() const override { return &field; }
-    std::optional<Vector>                          unbalanced_forces(const State &state) override;
-    std::optional<HeatTotals>                      heat_totals(const State &state) override;
+    State                                start() override;
+    void                                 step(State &state, const double stop) override;
+    void                                 complete(State &state) override;
+    std::optional<MechanicalFields<dim>> mechanical_fields(const State &state) const override;
+    const Field<dim>                    *displacement() const override { return &field; }
+    std::optional<Vector>                unbalanced_forces(const State &state) override;
+    std::optional<HeatTotals>            heat_totals(const State &state) override;
+    void                                 archive(Archive &archive, const State &state) override;
+    bool can_be_archived() const override { return integrator->can_be_archived(); }
+    void start_anew() override { integrator->start_anew(); }
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
 

@@ -18,6 +18,22 @@ namespace Cautery
   };
 
   /**
+   * When a run writes its checkpoint, besides when a signal asks for it: subsection "Checkpoints" of
+   * "Output".
+   */
+  struct CheckpointSettings
+  {
+    unsigned int steps   = 0;  ///< between two; 0: not by their number
+    double       minutes = 0.; ///< of wall time between two; 0: not by the clock
+
+    bool on() const { return steps > 0 || minutes > 0.; }
+    /** After so many steps an integrator whose memory cannot be stored starts anew; 0: never. */
+    unsigned int steps_to_new_start() const { return steps > 0 ? steps : minutes > 0. ? 200 : 0; }
+
+    void parameters(Parameters &p);
+  };
+
+  /**
    * What a run writes: section "Output".
    */
   struct OutputSettings
@@ -38,6 +54,7 @@ namespace Cautery
     Stress                   stress     = Stress::cauchy; ///< in large deformation
     bool                     reactions  = false;          ///< reactions.csv
     bool                     every_step = false;          ///< a line per step in the log
+    CheckpointSettings       checkpoints;
 
     /** All output times in (0, end], rising, with the end (s). */
     std::vector<double> output_times(const double end) const;

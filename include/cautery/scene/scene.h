@@ -53,6 +53,7 @@ namespace Cautery
     AccuracySettings        accuracy;
 
     std::string complete_text; ///< all entries with their values, ready to be run again
+    std::string identity;      ///< the same without what a run may resume with another value of
 
     /** Are motion or heat advanced by explicit steps? */
     bool has_explicit_loop() const;

@@ -46,6 +46,9 @@ namespace Cautery
     /** Solves until the residual is below @p relative_tolerance times this right-hand side. */
     unsigned int solve(Vector &x, const Vector &b, const double relative_tolerance);
 
+    /** The matrix, if there was one, has been set already. */
+    void archive(Archive &archive);
+
     /** What is used, e.g. "CG + SSOR". */
     std::string description() const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cautery/base/linear_algebra.h>
+#include <cautery/base/archive.h>
 
 #include <vector>
 
@@ -28,6 +28,9 @@ namespace Cautery
     /** Learns what had to be added to the last guess, @p correction, with @p image = A correction; uses both
      * up. */
     void learn(Vector &correction, Vector &image);
+
+    /** The matrix is that of the archive already. On another number of processes all is forgotten. */
+    void archive(Archive &archive);
 
   private:
     using Coefficients = std::vector<double>; ///< one for each direction

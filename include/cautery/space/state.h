@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cautery/base/linear_algebra.h>
+#include <cautery/base/archive.h>
 
 namespace Cautery
 {
@@ -18,5 +18,16 @@ namespace Cautery
     Vector displacement;      ///< m, dim per node
     Vector displacement_rate; ///< m/s, dim per node; inertia or two-way non-Fourier coupling only
     Vector ln_damage;         ///< ln(Omega), nodes
+
+    void archive(Archive &archive)
+    {
+      archive.shared("time", time);
+      archive.shared("step", step);
+      archive.nodal("temperature", temperature);
+      archive.nodal("temperature rate", temperature_rate);
+      archive.nodal("displacement", displacement);
+      archive.nodal("displacement rate", displacement_rate);
+      archive.nodal("ln damage", ln_damage);
+    }
   };
 } // namespace Cautery

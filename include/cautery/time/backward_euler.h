@@ -39,6 +39,10 @@ namespace Cautery
      */
     void repeat_until_settled(const Step &step, const State &state, const std::function<Vector &()> &solve);
 
+    /** What it remembers, with @p archive_solver called in between, once the system matrix is there. */
+    void archive(Archive &archive, const State &state, const std::function<void()> &archive_solver);
+    void archive(Archive &archive, const State &state);
+
     Balance            &balance() { return equation; }
     const SparseMatrix &system_matrix() const { return system; }
     const Vector       &right_hand_side() const { return force; }
@@ -48,6 +52,7 @@ namespace Cautery
     std::string   name() const { return equation.name(); }
 
   private:
+    void          set_solver();
     void          find_prescribed_rate(const Step &step, const Vector &x);
     void          subtract_prescribed(const Step &step);
     void          drop_prescribed();
@@ -91,6 +96,7 @@ namespace Cautery
                   Cost                         &cost);
 
     void                          step(State &state, const double stop) override;
+    void                          archive(Archive &archive, const State &state) override;
     std::map<std::string, double> statistics() const override;
 
   private:

@@ -39,6 +39,8 @@ namespace Cautery
     /** A step of motion, heat or both, at most of the length Time/Step. */
     void step(State &state, const double stop) override;
 
+    void archive(Archive &archive, const State &state) override;
+
     /** Motion alone over @p step, at the end of which @p state holds the temperature that another integrator
      * has found; its displacement is what was before. */
     void follow(const Step &step, State &state);
@@ -56,6 +58,7 @@ namespace Cautery
     void
     take_step(const double duration, const Part part, const Records &keep_share, const Records &gain_share);
     void set_motion_step(const double duration);
+    void fill_motion();
     void set_heat_step(const double duration);
     void write(State &state) const;
 

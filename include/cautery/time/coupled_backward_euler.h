@@ -29,10 +29,13 @@ namespace Cautery
                          Cost                                &cost);
 
     void                          step(State &state, const double stop) override;
+    void                          archive(Archive &archive, const State &state) override;
     std::map<std::string, double> statistics() const override;
 
   private:
     void prepare(const double new_length, const State &state);
+    void set_heat_solver();
+    void set_deformation_solver(const double new_length, const State &state);
     void assemble_right_hand_sides(const Step &step, const State &state);
     void solve(const Step &step);
 

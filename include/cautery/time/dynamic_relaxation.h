@@ -32,6 +32,7 @@ namespace Cautery
                       Cost               &cost);
 
     void                          solve(State &state) override;
+    void                          archive(Archive &archive, const State &state) override;
     std::map<std::string, double> statistics() const override;
 
   private:

@@ -21,6 +21,9 @@ namespace Cautery
     /** Errors: ExcRun with the reason; @p state is then as before. */
     virtual void solve(State &state) = 0;
 
+    /** What it remembers of earlier solutions, see Integrator::archive. */
+    virtual void archive(Archive &archive, const State &state) = 0;
+
     /** Counts that a user may want to know; those of no work are left out. */
     virtual std::map<std::string, double> statistics() const = 0;
   };
@@ -34,9 +37,12 @@ namespace Cautery
     LinearEquilibrium(Balance &balance, Cost &cost);
 
     void                          solve(State &state) override;
+    void                          archive(Archive &archive, const State &state) override;
     std::map<std::string, double> statistics() const override;
 
   private:
+    void set_matrix(const Vector &x);
+
     Balance     &equation;
     Cost        &cost;
     LinearSolver solver;

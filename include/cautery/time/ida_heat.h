@@ -22,7 +22,11 @@ namespace Cautery
   public:
     IdaHeat(const TimeSettings &settings, Heat<dim> &heat, Cost &cost);
 
-    void                          step(State &state, const double stop) override;
+    void step(State &state, const double stop) override;
+    void archive(Archive &archive, const State &state) override;
+    /** Only where it starts anew: the history of IDA's steps is not to be had. */
+    bool                          can_be_archived() const override { return fresh; }
+    void                          start_anew() override { fresh = true; }
     std::map<std::string, double> statistics() const override;
 
   private:

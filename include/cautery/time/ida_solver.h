@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cautery/base/linear_algebra.h>
+#include <cautery/base/archive.h>
 
 #include <exception>
 #include <functional>
@@ -92,6 +92,9 @@ namespace Cautery
 
     /** Since construction, over all restarts. */
     const Statistics &statistics() const { return total; }
+
+    /** The statistics; all else is IDA's own, so that restart() must follow where it brings back. */
+    void archive(Archive &archive);
 
   private:
     struct Memory;

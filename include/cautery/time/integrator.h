@@ -22,6 +22,18 @@ namespace Cautery
      */
     virtual void step(State &state, const double stop) = 0;
 
+    /**
+     * What it remembers from step to step. @p state, and all balances, are those of the archive already.
+     * Collective where it brings back.
+     */
+    virtual void archive(Archive &archive, const State &state) = 0;
+
+    /** Is that all that its next steps depend on? */
+    virtual bool can_be_archived() const { return true; }
+
+    /** Forgets what cannot be archived. */
+    virtual void start_anew() {}
+
     /** Counts that a user may want to know: "linear iterations", ... */
     virtual std::map<std::string, double> statistics() const = 0;
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/base/archive.h>
 #include <cautery/physics/critical_step.h>
 #include <cautery/scene/explicit_settings.h>
 
@@ -55,6 +56,8 @@ namespace Cautery
 
     /** Finds it anew if it is time, or if a motion as fast as @p rates has gone too far since. Collective. */
     void look(const Records &values, const Records &rates, const double time);
+
+    void archive(Archive &archive);
 
   private:
     double largest_speed(const Records &rates) const;

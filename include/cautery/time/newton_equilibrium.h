@@ -27,6 +27,7 @@ namespace Cautery
                       Cost                       &cost);
 
     void                          solve(State &state) override;
+    void                          archive(Archive &archive, const State &state) override;
     std::map<std::string, double> statistics() const override;
 
     /** The relative residual before each iteration of the last step of the load, and after them. */
