@@ -190,7 +190,8 @@ namespace Cautery
     const std::string part = file_name + ".part";
     {
       std::ofstream file(part);
-      file << json.dump(2) << '\n';
+      // names in a mesh or a scene may be of another encoding than UTF-8: no reason to lose a run's summary
+      file << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
       AssertThrow(file, ExcRun("cannot write " + file_name + ": is the disk full?"));
     }
     std::filesystem::rename(part, file_name);
