@@ -36,6 +36,8 @@ VALUES = [
          ["Initial state/Temperature=300 + t"]),
     value(f"{NEEDLE}/Power", "0.1 * q", EXPRESSION + 'Unexpected token "q" found at position 6.'),
     value(f"{NEEDLE}/Power", "0,1", EXPRESSION + "a comma only separates arguments; decimals have a point"),
+    value(f"{NEEDLE}/Power", "x = 1", EXPRESSION + "nothing can be assigned; compare with =="),
+    value(f"{TISSUE}/Conductivity", "T=300", EXPRESSION.replace("x,y,z,t", "T") + "nothing can be assigned; compare with =="),
     value(f"{NEEDLE}/Power", "2 * (3", EXPRESSION + "Missing parenthesis"),
     value(f"{NEEDLE}/Places", "0.005", PLACE),
     value(f"{NEEDLE}/Places", "", "a point source needs at least one place"),
