@@ -174,9 +174,13 @@ namespace Cautery
         }
     }
 
-    /// In single quotes gnuplot takes everything as it stands, and doubled ones for one. In double quotes it
-    /// would run what stands between backquotes.
-    auto verbatim(const std::string &text) { return std::quoted(text, '\'', '\''); }
+    /// In single quotes gnuplot takes all other characters as they stand; in double quotes it would run what
+    /// stands between backquotes.
+    std::string verbatim(std::string text)
+    {
+      std::replace(text.begin(), text.end(), '\'', '"');
+      return '\'' + text + '\'';
+    }
 
     void write_gnuplot(const AccuracyResult &result, std::ostream &out)
     {

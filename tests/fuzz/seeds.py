@@ -12,7 +12,6 @@ FOLDERS = ["prm", "tests/scenes", "tests/study", "tests/verification/scenes", "t
 CELLS = 3       # at most, along each axis of a box
 STEPS = 4       # at most
 MOST = 300      # steps, whatever the mutation
-TETRAHEDRA = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 
 FORMATS = {
     "body.vtk": """# vtk DataFile Version 3.0
@@ -55,42 +54,6 @@ GRID,5,0,0.0,0.0,-1.0
 CTETRA,1,1,1,2,3,4
 CTETRA,2,2,1,3,2,5
 ENDDATA
-""",
-    "body41.msh": """$MeshFormat
-4.1 0 8
-$EndMeshFormat
-$PhysicalNames
-2
-2 5 "skin"
-3 3 "liver"
-$EndPhysicalNames
-$Entities
-0 0 1 1
-1 0 0 0 1 1 1 1 5 0
-1 0 0 -1 1 1 1 1 3 1 1
-$EndEntities
-$Nodes
-1 5 1 5
-3 1 0 5
-1
-2
-3
-4
-5
-0 0 0
-1 0 0
-0 1 0
-0 0 1
-0 0 -1
-$EndNodes
-$Elements
-2 3 1 3
-2 1 2 1
-1 1 2 4
-3 1 4 2
-2 1 2 3 4
-3 1 3 2 5
-$EndElements
 """}
 
 MESH_SCENE = """subsection Mesh
@@ -141,8 +104,8 @@ def small(path, text):
 
 def mesh_files():
     """Of each: the name and the bytes. Small ones stand here several times, as they are read at once."""
-    names = ("two_regions", "cube", "mixed", "wedge", "triangles", "flat", "twisted", "missing_node")
+    names = ("two_regions", "cube", "mixed", "wedge", "triangles", "flat", "twisted", "missing_node", "version_4")
     files = [("body.msh", getattr(meshes, name)().encode()) for name in names if hasattr(meshes, name)]
-    files += [(name.replace("41", ""), text.encode()) for name, text in FORMATS.items()] * 2
+    files += [(name, text.encode()) for name, text in FORMATS.items()] * 2
     files += [(path.name, path.read_bytes()) for path in sorted((PROJECT / "tests" / "scenes").glob("*.msh"))] * 4
     return files + [(path.name, path.read_bytes()) for path in sorted((PROJECT / "meshes").glob("*.msh"))]
