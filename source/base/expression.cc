@@ -51,6 +51,12 @@ namespace Cautery
       return false;
     }
 
+    /// muParser's `x = 1` gives a variable another value.
+    bool assigns(const std::string &text)
+    {
+      return std::regex_search(text, std::regex("(^|[^<>=!])=([^=]|$)"));
+    }
+
     std::string reason_of(const std::exception &exception)
     {
       const auto *said = dynamic_cast<const ExceptionBase *>(&exception);
@@ -75,6 +81,7 @@ namespace Cautery
       AssertThrow(!text.empty(), ExcInput(expected + ": nothing is written"));
       AssertThrow(!comma_outside_functions(text),
                   ExcInput(expected + ": a comma only separates arguments; decimals have a point"));
+      AssertThrow(!assigns(text), ExcInput(expected + ": nothing can be assigned; compare with =="));
       auto parser = std::make_shared<FunctionParser<n_variables>>(1);
       try
         {

@@ -189,7 +189,9 @@ namespace Cautery
     if (forecast)
       json["forecast"] = forecast_json(*this);
 
-    replace_file(file_name, json.dump(2) + '\n');
+    // names in a mesh or a scene may be of another encoding than UTF-8: no reason to lose a run's summary
+    replace_file(file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + '
+');
   }
 
   std::string RunRecord::text() const

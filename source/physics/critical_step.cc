@@ -43,10 +43,10 @@ namespace Cautery
   } // namespace
 
   template <typename Number>
-  CriticalStep<Number>::CriticalStep(TledBody<Number>         &body,
-                                     TledNodes<Number>        &nodes,
-                                     const Part                part,
-                                     const std::vector<double> weights)
+  CriticalStep<Number>::CriticalStep(TledBody<Number>          &body,
+                                     TledNodes<Number>         &nodes,
+                                     const Part                 part,
+                                     const std::vector<double> &weights)
     : body(body)
     , nodes(nodes)
     , part(part)
@@ -120,6 +120,8 @@ namespace Cautery
     Numbers             v = start(), before(v.size(), 0.), w(v.size());
     std::vector<double> diagonal, beside;
     double              size = std::sqrt(product(v, v));
+    if (size == 0.)
+      return 0.; // all nodes are held
     for (unsigned int i = 0; i < n_lanczos; ++i)
       {
         for (double &entry : v)

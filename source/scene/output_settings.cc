@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/scene/names.h>
 #include <cautery/scene/output_settings.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace Cautery
 {
@@ -76,8 +76,7 @@ namespace Cautery
                join(probe_names),
                "there are " + std::to_string(probe_names.size()) + " names for " +
                  std::to_string(probe_places.size()) + " places; give each probe one of both");
-    const std::set<std::string> unique(probe_names.begin(), probe_names.end());
-    if (unique.size() != probe_names.size())
-      p.reject("Probe names", join(probe_names), "a name stands twice; names must differ");
+    if (const auto fault = fault_of_names(probe_names); !fault.empty())
+      p.reject("Probe names", join(probe_names), fault);
   }
 } // namespace Cautery

@@ -148,25 +148,24 @@ namespace Cautery
     Scene skeleton(const SceneText &text)
     {
       Scene scene;
-      for (const auto &name : text.peek_names("Tissues", "tissue"))
+      for (const auto &name : text.peek_names({"Tissues"}, "Names", "tissue"))
         {
           const std::string preset = text.peek({"Tissues", name}, "Preset", tissue_presets().front());
           scene.tissues.push_back(made_from("Tissues/" + name + "/Preset", preset, make_tissue));
-          scene.tissues.back().name = name;
-          scene.tissues.back().fibre_names =
-            Utilities::split_string_list(text.peek({"Tissues", name}, "Fibre families", ""));
+          scene.tissues.back().name        = name;
+          scene.tissues.back().fibre_names = text.peek_names({"Tissues", name}, "Fibre families", "");
           scene.tissues.back().fibres.resize(scene.tissues.back().fibre_names.size());
         }
-      for (const auto &name : text.peek_names("Heat sources", ""))
+      for (const auto &name : text.peek_names({"Heat sources"}, "Names", ""))
         {
           const std::string type = text.peek({"Heat sources", name}, "Type", heat_source_types().front());
           scene.heat_sources.push_back(
             {name, Schedule(), made_from("Heat sources/" + name + "/Type", type, make_heat_source)});
         }
-      scene.boundaries       = named<Boundary>(text.peek_names("Boundaries", "outside"));
-      scene.loads.points     = named<PointLoad>(text.peek_names("Loads", ""));
-      scene.tools            = named<Tool>(text.peek_names("Tools", ""));
-      scene.accuracy.ladders = named<LadderSettings>(text.peek_names("Accuracy", ""));
+      scene.boundaries       = named<Boundary>(text.peek_names({"Boundaries"}, "Names", "outside"));
+      scene.loads.points     = named<PointLoad>(text.peek_names({"Loads"}, "Names", ""));
+      scene.tools            = named<Tool>(text.peek_names({"Tools"}, "Names", ""));
+      scene.accuracy.ladders = named<LadderSettings>(text.peek_names({"Accuracy"}, "Names", ""));
       return scene;
     }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/scene/names.h>
 #include <cautery/scene/scene_text.h>
 
 #include <deal.II/base/utilities.h>
@@ -7,7 +8,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace Cautery
@@ -56,11 +56,14 @@ namespace Cautery
     AssertThrow(file && !std::filesystem::is_directory(file_name),
                 ExcInput("the scene `" + file_name + "` cannot be read; give the path of a .prm file"));
     text.assign(std::istreambuf_iterator<char>(file), {});
-    refuse_doubled_entries();
+    refuse_doubled_entries_and_included_files();
   }
 
-  /** Of an entry that stands twice deal.II takes the last and says nothing: one of them is a mistake. */
-  void SceneText::refuse_doubled_entries() const
+  /**
+   * Of an entry that stands twice deal.II takes the last and says nothing: one of them is a mistake. An
+   * included file could be any, even the scene itself, over and over again.
+   */
+  void SceneText::refuse_doubled_entries_and_included_files() const
   {
     std::map<Path, unsigned int> line_of;
     Path                         sections;
@@ -73,19 +76,24 @@ namespace Cautery
         Path               words;
         for (start >> keyword; start >> word;)
           words.push_back(word);
-        if (keyword == "subsection")
+        const std::string place = file_name + ", line " + std::to_string(number) + ": ";
+        if (keyword == "subsection" || keyword == "SUBSECTION")
           sections.push_back(join(words, " "));
-        else if (keyword == "end" && !sections.empty())
+        else if ((keyword == "end" || keyword == "END") && !sections.empty())
           sections.pop_back();
-        else if (keyword == "set")
+        else if (keyword == "set" || keyword == "SET")
           {
             Path path = sections;
             path.push_back(join(words, " "));
             const auto [first, is_new] = line_of.emplace(path, number);
             AssertThrow(is_new,
-                        ExcInput(file_name + ", line " + std::to_string(number) + ": " + join(path, "/") +
-                                 " stands in line " + std::to_string(first->second) + " already; keep one"));
+                        ExcInput(place + join(path, "/") + " stands in line " +
+                                 std::to_string(first->second) + " already; keep one"));
           }
+        else
+          AssertThrow(keyword != "include" && keyword != "INCLUDE",
+                      ExcInput(place + "a scene is one file; write here what `" + join(words, " ") +
+                               "` has, in place of `include`"));
       }
   }
 
@@ -111,14 +119,15 @@ namespace Cautery
     return handler.get(sections, name);
   }
 
-  std::vector<std::string> SceneText::peek_names(const std::string &section,
-                                                 const std::string &default_names) const
+  std::vector<std::string> SceneText::peek_names(const std::vector<std::string> &sections,
+                                                 const std::string              &name,
+                                                 const std::string              &default_names) const
   {
-    const auto names = Utilities::split_string_list(peek({section}, "Names", default_names), ',');
-    const std::set<std::string> unique(names.begin(), names.end());
-    AssertThrow(unique.size() == names.size(),
-                ExcInput(file_name + ": " + section + "/Names = " + join(names) +
-                         ": a name stands twice; names must differ"));
+    const auto        names = Utilities::split_string_list(peek(sections, name, default_names), ',');
+    const std::string fault = fault_of_names(names);
+    AssertThrow(
+      fault.empty(),
+      ExcInput(file_name + ": " + join(sections, "/") + "/" + name + " = " + join(names) + ": " + fault));
     return names;
   }
 } // namespace Cautery

@@ -2,9 +2,15 @@
 #include <cautery/base/parameters.h>
 #include <cautery/space/gmsh_file.h>
 
+#include <fcntl.h>
 #include <gmsh.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -54,6 +60,84 @@ namespace Cautery
         format->second.empty() || last == format->second,
         ExcInput(name + " does not end with `" + format->second + "`: it was cut off; export it again"));
     }
+
+    void start_gmsh()
+    {
+      gmsh::initialize(0, nullptr, /*readConfigFiles=*/false);
+      gmsh::option::setNumber("General.Terminal", 0);
+    }
+
+    /**
+     * Reads a file. Why gmsh cannot, or "": from the log, since it throws for a few errors only and keeps its
+     * last error from file to file.
+     */
+    std::string merge(const std::string &file_name)
+    {
+      std::string reason;
+      try
+        {
+          gmsh::logger::start();
+          gmsh::merge(file_name);
+        }
+      catch (...)
+        {
+          reason = "gmsh gives no reason";
+        }
+      std::vector<std::string> messages;
+      gmsh::logger::get(messages);
+      gmsh::logger::stop();
+      for (const auto &message : messages)
+        if (message.find("Error") == 0)
+          reason = message;
+      return reason;
+    }
+
+    [[noreturn]] void merge_as_child(const std::string &file_name, const int answer)
+    {
+      for (const int fault : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL})
+        std::signal(fault, SIG_DFL); // the program tells of it
+      const int nowhere = open("/dev/null", O_WRONLY);
+      dup2(nowhere, STDOUT_FILENO);
+      dup2(nowhere, STDERR_FILENO);
+      start_gmsh();
+      const std::string reason = merge(file_name);
+      if (reason.empty())
+        {
+          // a cell of a node that is not there shows here
+          std::vector<int>                      types;
+          std::vector<std::vector<std::size_t>> tags, nodes;
+          gmsh::model::mesh::getElements(types, tags, nodes);
+        }
+      gmsh::finalize();
+      _exit(write(answer, reason.data(), reason.size()) < 0 ? EXIT_FAILURE : EXIT_SUCCESS);
+    }
+
+    /**
+     * Some broken files make gmsh write where it may not, which ends a process or leaves it without sense:
+     * a child reads first, and the program only what the child could. Why it could not, or "".
+     */
+    std::string fault_met_by_child(const std::string &file_name)
+    {
+      int ends[2];
+      if (pipe(ends) != 0)
+        return "";
+      const pid_t child = fork();
+      if (child == 0)
+        merge_as_child(file_name, ends[1]);
+      close(ends[1]);
+      std::string           reason;
+      std::array<char, 256> text;
+      for (ssize_t n = 0; child > 0 && (n = read(ends[0], text.data(), text.size())) > 0;)
+        reason.append(text.data(), n);
+      close(ends[0]);
+      int   status = EXIT_SUCCESS;
+      pid_t ended  = child;
+      do
+        ended = child < 0 ? child : waitpid(child, &status, 0);
+      while (ended < 0 && child > 0 && errno == EINTR);
+      const bool lived = ended < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS);
+      return lived ? reason : "it breaks gmsh: a count, number or type in it is impossible";
+    }
   } // namespace
 
   std::string ElementBlock::kind() const
@@ -85,11 +169,11 @@ namespace Cautery
   GmshFile::GmshFile(const std::string &file_name) : name("Mesh file `" + file_name + "`")
   {
     check_is_mesh(file_name, name);
-    gmsh::initialize(0, nullptr, /*readConfigFiles=*/false);
-    gmsh::option::setNumber("General.Terminal", 0);
+    check_merged(fault_met_by_child(file_name));
+    start_gmsh();
     try
       {
-        open(file_name);
+        check_merged(merge(file_name));
       }
     catch (...)
       {
@@ -100,28 +184,11 @@ namespace Cautery
 
   GmshFile::~GmshFile() { gmsh::finalize(); }
 
-  void GmshFile::open(const std::string &file_name) const
+  void GmshFile::check_merged(const std::string &fault) const
   {
-    // from the log, since gmsh throws for a few errors only and keeps its last error from file to file
-    std::string reason;
-    try
-      {
-        gmsh::logger::start();
-        gmsh::merge(file_name);
-      }
-    catch (...)
-      {
-        reason = "gmsh gives no reason";
-      }
-    std::vector<std::string> messages;
-    gmsh::logger::get(messages);
-    gmsh::logger::stop();
-    for (const auto &message : messages)
-      if (message.find("Error") == 0)
-        reason = message;
     AssertThrow(
-      reason.empty(),
-      ExcInput(name + " cannot be read (" + reason +
+      fault.empty(),
+      ExcInput(name + " cannot be read (" + fault +
                "): it may be cut off or of another format; open it in gmsh and export it again as .msh"));
   }
 

@@ -25,7 +25,8 @@ namespace Cautery
       AssertThrow(file, ExcRun("cannot write " + file_name + ": is the disk full?"));
     }
 
-    std::string quoted(const std::string &text) { return '"' + text + '"'; }
+    /// As a field of a .csv file.
+    auto quoted(const std::string &text) { return std::quoted(text, '"', '"'); }
 
     void write_csv(const AccuracyResult &result, std::ostream &out)
     {
@@ -34,7 +35,7 @@ namespace Cautery
           << std::setprecision(12);
       for (const auto &row : result.rows)
         for (unsigned int q = 0; row.outcome.succeeded() && q < result.quantities.size(); ++q)
-          out << row.ladder << ',' << quoted(row.variant.label) << ','
+          out << quoted(row.ladder) << ',' << quoted(row.variant.label) << ','
               << quoted(changes_text(row.variant.changes)) << ',' << quoted(result.quantities[q].text())
               << ',' << row.outcome.seconds << ',' << row.outcome.bytes << ',' << row.outcome.steps << ','
               << row.outcome.unknowns << ',' << row.outcome.answers[q].values.back() << ',' << row.errors[q]
@@ -173,26 +174,28 @@ namespace Cautery
         }
     }
 
-    std::string escaped(std::string text)
+    /// In single quotes gnuplot takes all other characters as they stand; in double quotes it would run what
+    /// stands between backquotes.
+    std::string verbatim(std::string text)
     {
-      std::replace(text.begin(), text.end(), '_', ' ');
-      std::replace(text.begin(), text.end(), '"', '\'');
-      return text;
+      std::replace(text.begin(), text.end(), '\'', '"');
+      return '\'' + text + '\'';
     }
 
     void write_gnuplot(const AccuracyResult &result, std::ostream &out)
     {
-      out << "set terminal pngcairo size 900,600 font 'sans,11'\nset logscale xy\nset format xy '%g'\nset "
+      out << "set terminal pngcairo noenhanced size 900,600 font 'sans,11'\nset logscale xy\nset format xy "
+             "'%g'\nset "
              "grid\n"
              "set key outside right top\nset xlabel 'processor time, s'\n";
       const unsigned int blocks = result.ladders.size() + 1;
       for (unsigned int q = 0; q < result.quantities.size(); ++q)
         {
-          out << "set output 'accuracy_" << q << ".png'\nset title \"" << escaped(result.title)
-              << "\"\nset ylabel \"error of " << escaped(result.quantities[q].text()) << "\"\nplot ";
+          out << "set output 'accuracy_" << q << ".png'\nset title " << verbatim(result.title)
+              << "\nset ylabel " << verbatim("error of " + result.quantities[q].text()) << "\nplot ";
           for (unsigned int l = 0; l < result.ladders.size(); ++l)
-            out << "'accuracy.dat' index " << q * blocks + l << " with linespoints lw 1.5 pt 7 title \""
-                << escaped(result.ladders[l].name) << "\", ";
+            out << "'accuracy.dat' index " << q * blocks + l << " with linespoints lw 1.5 pt 7 title "
+                << verbatim(result.ladders[l].name) << ", ";
           if (result.references[q].uncertainty > 0.)
             out << result.references[q].uncertainty
                 << " with lines dt 2 lc 'gray40' title \"reference uncertain\", ";

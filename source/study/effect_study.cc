@@ -190,8 +190,8 @@ namespace Cautery
       for (const auto &[variant, outcome] : rows)
         for (unsigned int q = 0; outcome.succeeded() && q < quantities.size(); ++q)
           if (!outcome.answers[q].values.empty())
-            out << '"' << variant.label << "\",\"" << quantities[q].text() << "\","
-                << with.answers[q].values.back() << ',' << outcome.answers[q].values.back() << ','
+            out << std::quoted(variant.label, '"', '"') << ',' << std::quoted(quantities[q].text(), '"', '"')
+                << ',' << with.answers[q].values.back() << ',' << outcome.answers[q].values.back() << ','
                 << with.seconds << ',' << outcome.seconds << ',' << with.bytes << ',' << outcome.bytes
                 << '\n';
     }

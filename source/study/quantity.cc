@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -32,9 +33,32 @@ namespace Cautery
     return largest;
   }
 
+  namespace
+  {
+    bool is_path(const std::string &text)
+    {
+      try
+        {
+          return text.rfind('/', 0) == 0 && !nlohmann::json::json_pointer(text).empty();
+        }
+      catch (const nlohmann::json::exception &)
+        {
+          return false;
+        }
+    }
+
+    std::optional<double> time_of(const std::string &word)
+    {
+      double     time  = 0.;
+      const auto end   = word.data() + word.size();
+      const auto found = std::from_chars(word.data(), end, time);
+      return found.ec == std::errc() && found.ptr == end ? std::make_optional(time) : std::nullopt;
+    }
+  } // namespace
+
   Quantity::Quantity(const std::string &text) : name(text)
   {
-    if (text.front() == '/')
+    if (is_path(text))
       {
         column = text;
         return;
@@ -42,10 +66,13 @@ namespace Cautery
     auto words = Utilities::split_string_list(text, ' ');
     if (words.size() >= 4 && words[words.size() - 2] == "at")
       {
-        time = Utilities::string_to_double(words.back());
-        words.resize(words.size() - 2);
+        time = time_of(words.back());
+        if (time)
+          words.resize(words.size() - 2);
+        else
+          words.clear();
       }
-    AssertThrow(words.size() >= 2,
+    AssertThrow(words.size() >= 2 && text.front() != '/',
                 ExcInput("Accuracy/Quantities: `" + text +
                          "` is neither `PROBE COLUMN`, as `P1 temperature_K`, nor a path in summary.json, as "
                          "`/ablation/volume_m3`"));

@@ -14,6 +14,8 @@ namespace Cautery
     constexpr unsigned int dim = 3;
     /// Lengths of steps that differ by less, relative, differ by rounding.
     constexpr double same_length = 1e-9;
+    /// A step of the scene is not divided into more: months of computing.
+    constexpr double most_parts = 1e9;
   } // namespace
 
   template <typename Number>
@@ -106,7 +108,12 @@ namespace Cautery
   template <typename Number>
   unsigned int CentralDifference<Number>::n_parts(const double length, const double longest) const
   {
-    return std::max(1., std::ceil(length / longest * (1. - 1e-9)));
+    const double parts = std::max(1., std::ceil(length / longest * (1. - 1e-9)));
+    AssertThrow(parts <= most_parts,
+                ExcRun("explicit steps of " + to_text(longest) + " s are too short: " + to_text(length) +
+                       " s take more than " + to_text(most_parts) +
+                       " of them; take softer or denser tissue, larger cells, or implicit steps"));
+    return parts;
   }
 
   template <typename Number>

@@ -29,7 +29,8 @@ GROUPS = {"values": scene_cases.VALUES, "names": scene_cases.NAMES, "mesh": mesh
 
 def run(program, words, folder):
     """Exit status, what was said, and the complaint with the folder's path left out."""
-    answer = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, timeout=120, check=False)
+    answer = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, errors="replace", timeout=120,
+                            check=False)
     return answer.returncode, answer.stdout, answer.stderr.strip().replace(f"{folder}/", "")
 
 

@@ -48,6 +48,9 @@ MESH = [
     mesh("a cell that refers to a missing node",
          "scene.prm: Mesh file `body.msh` cannot be read (Error: Wrong node index 9): it may be cut off or of "
          "another format; open it in gmsh and export it again as .msh", meshes.missing_node()),
+    mesh("a mesh that breaks gmsh: a corner of number -1 in version 4",
+         "scene.prm: Mesh file `body.msh` cannot be read (it breaks gmsh: a count, number or type in it is impossible): it may be "
+         "cut off or of another format; open it in gmsh and export it again as .msh", meshes.version_4(corner=-1)),
     mesh("a region without tissue",
          "scene.prm: Tissues: nothing is said of region 7 `tumour` of the mesh; name it, or use `remaining`", TWO,
          [f"{TISSUE}/Regions=liver"]),

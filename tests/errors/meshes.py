@@ -57,3 +57,43 @@ def twisted():
 
 def missing_node():
     return text(CORNERS, [(TETRAHEDRON, 1, (1, 2, 3, 4)), (TETRAHEDRON, 1, (1, 2, 3, 9))])
+
+
+def version_4(corner=1):
+    """The two tetrahedra of two_regions, without the second region, in format 4.1."""
+    return f"""$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+2 5 "skin"
+3 3 "liver"
+$EndPhysicalNames
+$Entities
+0 0 1 1
+1 0 0 0 1 1 1 1 5 0
+1 0 0 -1 1 1 1 1 3 1 1
+$EndEntities
+$Nodes
+1 5 1 5
+3 1 0 5
+1
+2
+3
+4
+5
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+0 0 -1
+$EndNodes
+$Elements
+2 3 1 3
+2 1 2 1
+1 1 2 4
+3 1 4 2
+2 1 2 3 4
+3 {corner} 3 2 5
+$EndElements
+"""

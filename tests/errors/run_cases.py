@@ -56,6 +56,7 @@ ACCEPTED = [
     mesh("a negative hexahedron is turned round", "", meshes.cube(True),
          [f"{NEEDLE}/Places=0.1, 0.1, 0.1", "Output/Probe places=0.1, 0.1, 0.1"], status=0,
          says=["1 hexahedra, 8 nodes, 1 m3", "note: 1 inverted cells turned round"]),
+    Case("a title in another encoding than UTF-8", "", ["Title=caf\udce9"], status=0, says=["Results"]),
     Case("rollers on three sides hold a body", "",
          [*DEFORMATION, *rollers("x min, y min, z min")], status=0, says=["Results"]),
     Case("rollers on one side do with inertia", "",

@@ -10,6 +10,9 @@ GRID = "set Mesh/Shape = box and Mesh/Cells = hexahedra, or choose finite elemen
 SMALL = ("knows small deformation and implicit steps only; choose finite elements, or Effects/Deformation = equilibrium "
          "and Time/Integrator = backward Euler")
 
+EMPTY = "a name is empty; write one between two commas"
+BREAKS = "a name has a slash, backslash, quote or control character; leave it out"
+
 VALUES = [
     value("Dimension", "4", "it must be >= 2 and <= 3"),
     value(f"{TISSUE}/Density", "-1000", "it must be > 0"),
@@ -33,6 +36,8 @@ VALUES = [
          ["Initial state/Temperature=300 + t"]),
     value(f"{NEEDLE}/Power", "0.1 * q", EXPRESSION + 'Unexpected token "q" found at position 6.'),
     value(f"{NEEDLE}/Power", "0,1", EXPRESSION + "a comma only separates arguments; decimals have a point"),
+    value(f"{NEEDLE}/Power", "x = 1", EXPRESSION + "nothing can be assigned; compare with =="),
+    value(f"{TISSUE}/Conductivity", "T=300", EXPRESSION.replace("x,y,z,t", "T") + "nothing can be assigned; compare with =="),
     value(f"{NEEDLE}/Power", "2 * (3", EXPRESSION + "Missing parenthesis"),
     value(f"{NEEDLE}/Places", "0.005", PLACE),
     value(f"{NEEDLE}/Places", "", "a point source needs at least one place"),
@@ -125,6 +130,16 @@ NAMES = [
     Case("two probes of one name",
          "scene.prm: Output/Probe names = a, a: a name stands twice; names must differ",
          ["Output/Probe names=a, a", "Output/Probe places=0,0,0; 0.01,0,0"]),
+    Case("an entry twice in capitals",
+         "scene.prm, line 29: Time/End stands in line 20 already; keep one",
+         text=SCENE.rstrip() + "\nSUBSECTION Time\n  SET End=3\nEND\n", check_too=True),
+    Case("a scene that includes itself",
+         "scene.prm, line 28: a scene is one file; write here what `scene.prm` has, in place of `include`",
+         text=SCENE.rstrip() + "\ninclude scene.prm\n", check_too=True),
+    *[Case(f"{entry} {text}", f"scene.prm: {entry} = {text}: {reason}", [f"{entry}={text}", *more])
+      for text, reason in (("a, , b", EMPTY), ("a/b", BREAKS), ('a"b', BREAKS), ("`id`", BREAKS), ("..\\b", BREAKS))
+      for entry, more in ((("Tissues/Names", []), (f"{TISSUE}/Fibre families", []), ("Accuracy/Names", []),
+                           ("Output/Probe names", ["Output/Probe places=" + "; ".join(["0, 0, 0"] * (text.count(",") + 1))])))],
     Case("more probes than places",
          "scene.prm: Output/Probe names = a, b: there are 2 names for 1 places; give each probe one of both",
          ["Output/Probe names=a, b"]),

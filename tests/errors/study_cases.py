@@ -38,6 +38,9 @@ STUDY = [
           "Accuracy/step/With=Time/End"),
     study("a quantity of one word", "scene.prm: Accuracy/Quantities: `temperature` is neither `PROBE COLUMN`, as `P1 "
           "temperature_K`, nor a path in summary.json, as `/ablation/volume_m3`", "Accuracy/Quantities=temperature"),
+    *[study(f"a quantity {text}", f"scene.prm: Accuracy/Quantities: `{text}` is neither `PROBE COLUMN`, as `P1 temperature_K`, nor "
+            "a path in summary.json, as `/ablation/volume_m3`", f"Accuracy/Quantities={text}")
+      for text in ("tip temperature_K at noon", "/a~2")],
     study("a study of no scene", "`accuracy` takes one scene, not `scene.prm again.prm`; see cautery --help",
           command="accuracy"),
     Case("a goal without heat", "scene.prm: Accuracy/Temperature within: there is no temperature; turn Effects/Heat on or set 0",

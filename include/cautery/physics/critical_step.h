@@ -28,13 +28,13 @@ namespace Cautery
      * @p part: motion, with @p weights the masses (kg) of the process's own nodes, or heat, with their heat
      * capacities (J/K). Arguments but the last must live as long as it.
      */
-    CriticalStep(TledBody<Number>         &body,
-                 TledNodes<Number>        &nodes,
-                 const Part                part,
-                 const std::vector<double> weights);
+    CriticalStep(TledBody<Number>          &body,
+                 TledNodes<Number>         &nodes,
+                 const Part                 part,
+                 const std::vector<double> &weights);
 
     /** The bound at @p values: 1/s2 for motion, 1/s for heat. Collective; the same on any number of processes
-     * but for rounding. */
+     * but for rounding. 0 where all nodes are held. */
     double largest_eigenvalue(const Records &values);
 
     /**

@@ -15,7 +15,7 @@ namespace Cautery
   class SceneText
   {
   public:
-    /** Errors: ExcInput for a file that cannot be read, or an entry that stands in it twice. */
+    /** Errors: ExcInput for a file that cannot be read or includes another, or an entry that stands twice. */
     SceneText(const std::string &file_name, const std::vector<Override> &overrides);
 
     /** Gives the values to @p handler, the overrides last. Errors: ExcInput with file, line or override. */
@@ -26,11 +26,13 @@ namespace Cautery
                      const std::string              &name,
                      const std::string              &default_value) const;
 
-    /** The list "Names" of a section. Errors: ExcInput where a name stands twice. */
-    std::vector<std::string> peek_names(const std::string &section, const std::string &default_names) const;
+    /** An entry that is a list of names. Errors: ExcInput for names that cannot be, see fault_of_names. */
+    std::vector<std::string> peek_names(const std::vector<std::string> &sections,
+                                        const std::string              &name,
+                                        const std::string              &default_names) const;
 
   private:
-    void refuse_doubled_entries() const;
+    void refuse_doubled_entries_and_included_files() const;
 
     const std::string           file_name;
     const std::vector<Override> overrides;

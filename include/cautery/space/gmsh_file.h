@@ -54,7 +54,8 @@ namespace Cautery
     const std::string &label() const { return name; }
 
   private:
-    void         open(const std::string &file_name) const;
+    /** Errors: ExcInput if @p fault says anything. */
+    void         check_merged(const std::string &fault) const;
     unsigned int group_of(const unsigned int dimension, const int entity) const;
 
     const std::string name;

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# What static analysis finds in the program's sources: cppcheck in a minute, clang-tidy in half an hour (deal.II's headers).
+#   tests/house/analyse.sh cppcheck
+#   tests/house/analyse.sh clang-tidy [FILE...]   after a build, which leaves build/compile_commands.json
+# Packages: cppcheck, clang-tidy-14.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+case "${1:-}" in
+cppcheck)
+  command -v cppcheck >/dev/null || { echo 'skipped: cppcheck is not installed'; exit 77; }
+  exec cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --std=c++17 --inline-suppr \
+    --suppressions-list=tests/house/cppcheck.txt -I include source include
+  ;;
+clang-tidy)
+  shift
+  commands=$(mktemp --directory)
+  trap 'rm -rf "$commands"' EXIT
+  # clang cannot read GCC's precompiled headers
+  sed -E 's/-include [^ ]*cmake_pch\.hxx//; s/-fpch-preprocess|-fschedule-insns|-fsched-pressure//g' build/compile_commands.json >"$commands/compile_commands.json"
+  files=("$@")
+  [ ${#files[@]} -gt 0 ] || mapfile -t files < <(find source -name '*.cc' -not -path '*/lanes/*' | sort)
+  printf '%s\n' "${files[@]}" | xargs --max-procs="$(nproc)" --max-args=1 clang-tidy-14 --quiet -p "$commands"
+  ;;
+*)
+  sed -n 's/^# //p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+  ;;
+esac
