@@ -63,6 +63,39 @@ namespace Cautery
               {"error_J", balance.error()},
               {"relative_error", balance.relative_error()}};
     }
+    std::string unit(const std::string &balance) { return balance == "heat" ? "K" : "m"; }
+
+    Json errors_json(const RunRecord &record)
+    {
+      Json json;
+      for (const auto &[name, error] : record.time_errors)
+        json["time"][name] = {{"steps", error.steps},
+                              {"largest_of_a_step_" + unit(name), error.largest},
+                              {"sum_over_steps_" + unit(name), error.sum}};
+      for (const auto &[name, error] : record.space_errors)
+        json["space"][name + "_gradient"] = {{"relative", error.last}, {"largest_relative", error.largest}};
+      if (record.balance)
+        json["heat_balance"] = {{"relative", record.balance->relative_error()}};
+      return json;
+    }
+
+    void write_errors(const RunRecord &record, std::ostream &out)
+    {
+      std::string label = "Errors         ";
+      const auto  begin = [&]() -> std::ostream  &{
+        out << label << std::setprecision(2);
+        label = std::string(label.size(), ' ');
+        return out;
+      };
+      for (const auto &[name, error] : record.time_errors)
+        begin() << name << " in time: about " << error.largest << ' ' << unit(name) << " in the worst step, "
+                << error.sum << ' ' << unit(name) << " summed over all\n";
+      for (const auto &[name, error] : record.space_errors)
+        begin() << name << " in space: about " << 100. * error.last << " % of its gradient\n";
+      if (record.balance)
+        begin() << "balance of heat: closed to " << record.balance->relative_error() << " of what moved\n";
+      out << std::setprecision(6);
+    }
   } // namespace
 
   namespace
@@ -184,7 +217,8 @@ namespace Cautery
       json["ablation"] = ablation_json(*ablation);
     if (balance)
       json["balance"] = balance_json(*balance);
-    json["cost"] = cost_json(*this);
+    json["errors"] = errors_json(*this);
+    json["cost"]   = cost_json(*this);
     if (forecast)
       json["forecast"] = forecast_json(*this);
 
@@ -217,12 +251,12 @@ namespace Cautery
       }
     if (balance)
       {
-        out << "Heat           " << balance->sources << " J put in" << depth << ", balance closed to "
-            << std::setprecision(2) << balance->relative_error() << " of what moved\n";
+        out << "Heat           " << balance->sources << " J put in" << depth << '\n';
         if (balance->relative_error() > open_books)
           out << "               WARNING: heat is lost or made. Does a power, flux or temperature jump by "
                  "itself? Then take `Switch on at`, smaller steps or tolerances.\n";
       }
+    write_errors(*this, out);
     out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps
         << " steps on " << processes << (processes == 1 ? " process" : " processes") << ", "
         << std::setprecision(0) << std::fixed << 1e-6 * peak_memory << " MB at most\n"

@@ -218,6 +218,19 @@ namespace Cautery
   }
 
   template <int dim>
+  bool HeatLoads<dim>::jumps_within(const double from, const double to) const
+  {
+    // steps end at switches but for rounding
+    const double rounding = 1e-9 * (to - from);
+    const auto   within   = [&](const double time) { return time > from + rounding && time < to - rounding; };
+    return std::any_of(items.begin(), items.end(), [&](const Item &item) {
+      return item.source != nullptr &&
+             (std::any_of(item.source->schedule.on.begin(), item.source->schedule.on.end(), within) ||
+              std::any_of(item.source->schedule.off.begin(), item.source->schedule.off.end(), within));
+    });
+  }
+
+  template <int dim>
   std::vector<double> HeatLoads<dim>::switching_times(const double end) const
   {
     std::vector<double> times;

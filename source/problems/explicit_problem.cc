@@ -147,6 +147,12 @@ namespace Cautery
     return result;
   }
 
+  template <typename Number>
+  std::map<std::string, TimeError> ExplicitProblem<Number>::time_errors() const
+  {
+    return heat_integrator ? heat_integrator->time_errors() : std::map<std::string, TimeError>();
+  }
+
   template class ExplicitProblem<float>;
   template class ExplicitProblem<double>;
 } // namespace Cautery

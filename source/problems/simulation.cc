@@ -270,11 +270,19 @@ namespace Cautery
         const auto scope = cost.measure("deformation: reactions");
         unbalanced       = problem->unbalanced_forces(state);
       }
+    std::optional<GradientErrors> errors; // as dear as a step or two: where it is seen only
+    if (scene.output.fields || state.time >= scene.time.end)
+      {
+        const auto scope = cost.measure("output: error indicator");
+        errors           = gradient_errors(body->nodes, body->tissues, problem->displacement(), state);
+        Cautery::observe(*errors, space_errors);
+      }
     const Snapshot<dim> snapshot{state,
                                  body->nodes,
                                  problem->displacement(),
                                  mechanical ? &*mechanical : nullptr,
-                                 unbalanced ? &*unbalanced : nullptr};
+                                 unbalanced ? &*unbalanced : nullptr,
+                                 errors ? &*errors : nullptr};
     const auto          look = [&](Observer<dim> &observer) {
       const auto scope = cost.measure(observer.name());
       observer.observe(snapshot);
@@ -291,15 +299,17 @@ namespace Cautery
   RunRecord Simulation<dim>::record(const State &state) const
   {
     RunRecord result;
-    result.title      = scene.title;
-    result.effects    = scene.effects;
-    result.dimension  = dim;
-    result.end_time   = state.time;
-    result.unknowns   = problem->unknowns();
-    result.time_steps = state.step;
-    result.statistics = problem->statistics();
-    result.extremes   = extremes.reduced(communicator);
-    result.balance    = problem->heat_totals(state);
+    result.title        = scene.title;
+    result.effects      = scene.effects;
+    result.dimension    = dim;
+    result.end_time     = state.time;
+    result.unknowns     = problem->unknowns();
+    result.time_steps   = state.step;
+    result.statistics   = problem->statistics();
+    result.extremes     = extremes.reduced(communicator);
+    result.balance      = problem->heat_totals(state);
+    result.time_errors  = problem->time_errors();
+    result.space_errors = space_errors;
     if (ablation)
       {
         RunRecord::Ablation zone;

@@ -40,6 +40,18 @@ namespace Cautery
       }
   }
 
+  void Elimination::clear(Vector &x) const
+  {
+    for (const auto &line : lines)
+      x.begin()[line.row] = 0.;
+  }
+
+  void Elimination::copy_constrained(const Vector &from, Vector &to) const
+  {
+    for (const auto &line : lines)
+      to.begin()[line.row] = from.begin()[line.row];
+  }
+
   void Elimination::keep_constrained(Vector &x) const
   {
     std::vector<double> kept;

@@ -88,6 +88,8 @@ namespace Cautery
   void BackwardEulerBalance::apply(const Step &step, Vector &free_rate, State &state)
   {
     (state.*equation.unknown()).add(step.length(), complete(free_rate));
+    if (equation.damping() != nullptr || equation.inertia() != nullptr)
+      error.record(step, free_rate, equation);
     if (equation.rate() != nullptr)
       state.*equation.rate() = free_rate;
     prescribed_met = !equation.prescription_changes();
@@ -143,6 +145,12 @@ namespace Cautery
     apply(step, rate, state);
   }
 
+  void BackwardEulerBalance::add_time_error(std::map<std::string, TimeError> &errors) const
+  {
+    if (error.total().steps > 0)
+      errors[name()] = error.total();
+  }
+
   BackwardEuler::BackwardEuler(const TimeSettings           &settings,
                                const Numerics               &numerics,
                                const std::vector<Balance *> &list,
@@ -167,6 +175,14 @@ namespace Cautery
     std::map<std::string, double> result;
     for (const auto &balance : balances)
       result["linear_iterations_" + balance->name()] = balance->iterations();
+    return result;
+  }
+
+  std::map<std::string, TimeError> BackwardEuler::time_errors() const
+  {
+    std::map<std::string, TimeError> result;
+    for (const auto &balance : balances)
+      balance->add_time_error(result);
     return result;
   }
 } // namespace Cautery

@@ -27,7 +27,7 @@ namespace Cautery
     , solver(solver_of(heat))
     , mass_solver(solver_of(heat))
   {
-    for (auto *vector : {&y, &y_dot})
+    for (auto *vector : {&y, &y_dot, &local_error})
       {
         vector->reinit(second_order ? 2 : 1);
         for (unsigned int b = 0; b < vector->n_blocks(); ++b)
@@ -269,6 +269,9 @@ namespace Cautery
     if (second_order)
       state.temperature_rate = y.block(1);
     ++state.step;
+    ida.local_error(local_error);
+    heat.elimination().clear(local_error.block(0)); // prescribed temperatures do not err
+    error.add(local_error.block(0).linfty_norm());
     fresh = state.time >= switch_time && switch_time < settings.end;
   }
 
@@ -281,6 +284,12 @@ namespace Cautery
       {"residual_evaluations", static_cast<double>(counts.residual_evaluations)},
       {"jacobian_set_ups", static_cast<double>(counts.jacobian_set_ups)},
       {"repeated_steps", static_cast<double>(counts.error_test_failures + counts.convergence_failures)}};
+  }
+
+  template <int dim>
+  std::map<std::string, TimeError> IdaHeat<dim>::time_errors() const
+  {
+    return {{heat.name(), error}};
   }
 
   template class IdaHeat<2>;

@@ -264,6 +264,14 @@ namespace Cautery
     return error.l2_norm() / std::sqrt(error.size());
   }
 
+  void IdaSolver::local_error(BlockVector &error) const
+  {
+    Assert(memory, ExcMessage("restart() comes first."));
+    check(IDAGetEstLocalErrors(memory->ida.get(), make_nvector_view(error, memory->context.get())),
+          "IDAGetEstLocalErrors");
+    error *= 1. / (total.last_order + 1.);
+  }
+
   void IdaSolver::check(const int flag, const std::string &function) const
   {
     if (flag >= 0)

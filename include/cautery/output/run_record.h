@@ -4,7 +4,9 @@
 #include <cautery/base/cost.h>
 #include <cautery/output/extremes.h>
 #include <cautery/output/forecast.h>
+#include <cautery/output/space_errors.h>
 #include <cautery/physics/heat_balance.h>
+#include <cautery/physics/time_error.h>
 #include <cautery/scene/scene.h>
 
 #include <map>
@@ -30,6 +32,8 @@ namespace Cautery
     std::map<std::string, double>                  statistics;
     Extremes                                       extremes;
     std::optional<HeatTotals>                      balance;
+    std::map<std::string, TimeError>               time_errors; ///< by balance
+    SpaceErrors                                    space_errors;
 
     struct Ablation
     {

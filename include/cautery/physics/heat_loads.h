@@ -38,6 +38,9 @@ namespace Cautery
     /** The tau-weighted load that comes suddenly at @p time; zero where jumps are neglected. */
     void add_jump(const double time, Vector &force) const;
 
+    /** Is a source switched strictly between these times (s)? */
+    bool jumps_within(const double from, const double to) const;
+
     /** All times in (0, end) at which a source is switched (s). */
     std::vector<double> switching_times(const double end) const;
 

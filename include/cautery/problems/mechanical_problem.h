@@ -25,6 +25,10 @@ namespace Cautery
     std::optional<Vector>                          unbalanced_forces(const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
+    std::map<std::string, TimeError>               time_errors() const override
+    {
+      return integrator ? integrator->time_errors() : std::map<std::string, TimeError>();
+    }
 
   private:
     const Scene                &scene;

@@ -4,6 +4,7 @@
 #include <cautery/base/cost.h>
 #include <cautery/output/nodal_columns.h>
 #include <cautery/physics/heat_balance.h>
+#include <cautery/physics/time_error.h>
 #include <cautery/problems/body.h>
 
 #include <map>
@@ -43,6 +44,8 @@ namespace Cautery
     /** By name: temperature, displacement, ... */
     virtual std::map<std::string, types::global_dof_index> unknowns() const   = 0;
     virtual std::map<std::string, double>                  statistics() const = 0;
+    /** See Integrator. */
+    virtual std::map<std::string, TimeError> time_errors() const { return {}; }
   };
 
   /** The problem for the effects of @p scene. Arguments must live as long as it. */

@@ -68,6 +68,7 @@ namespace Cautery
     std::vector<std::unique_ptr<Observer<dim>>> others;
     Extremes                                    extremes;
     Forecast                                    forecast;
+    SpaceErrors                                 space_errors;
     State                                       last_good;          ///< after the last complete step
     double                                      observed     = -1.; ///< s; when the outputs were last asked
     double                                      loop_seconds = 0.;

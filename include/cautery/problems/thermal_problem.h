@@ -20,7 +20,8 @@ namespace Cautery
     void                                           step(State &state, const double stop) override;
     std::optional<HeatTotals>                      heat_totals(const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
-    std::map<std::string, double> statistics() const override { return integrator->statistics(); }
+    std::map<std::string, double>    statistics() const override { return integrator->statistics(); }
+    std::map<std::string, TimeError> time_errors() const override { return integrator->time_errors(); }
 
   private:
     const Scene                         &scene;

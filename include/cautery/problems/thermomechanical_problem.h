@@ -27,6 +27,7 @@ namespace Cautery
     std::optional<HeatTotals>                      heat_totals(const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
+    std::map<std::string, TimeError> time_errors() const override { return integrator->time_errors(); }
 
   private:
     void make_integrator();

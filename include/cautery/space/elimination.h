@@ -26,6 +26,12 @@ namespace Cautery
     /** C y: sets the constrained entries from the free ones. */
     void distribute(Vector &x) const;
 
+    /** Sets the constrained entries to zero. */
+    void clear(Vector &x) const;
+
+    /** Sets the constrained entries of @p to to those of @p from. */
+    void copy_constrained(const Vector &from, Vector &to) const;
+
     /** Sets to zero all but the constrained entries. */
     void keep_constrained(Vector &x) const;
 

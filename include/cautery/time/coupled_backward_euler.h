@@ -28,8 +28,9 @@ namespace Cautery
                          const ThermoelasticFeedback<dim>    &feedback,
                          Cost                                &cost);
 
-    void                          step(State &state, const double stop) override;
-    std::map<std::string, double> statistics() const override;
+    void                             step(State &state, const double stop) override;
+    std::map<std::string, double>    statistics() const override;
+    std::map<std::string, TimeError> time_errors() const override;
 
   private:
     void prepare(const double new_length, const State &state);

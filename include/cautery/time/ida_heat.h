@@ -22,8 +22,9 @@ namespace Cautery
   public:
     IdaHeat(const TimeSettings &settings, Heat<dim> &heat, Cost &cost);
 
-    void                          step(State &state, const double stop) override;
-    std::map<std::string, double> statistics() const override;
+    void                             step(State &state, const double stop) override;
+    std::map<std::string, double>    statistics() const override;
+    std::map<std::string, TimeError> time_errors() const override;
 
   private:
     void
@@ -61,7 +62,8 @@ namespace Cautery
     bool                      fresh        = true;
     unsigned int              n_iterations = 0;
     const State              *properties   = nullptr; ///< the state whose damage stops perfusion
-    BlockVector               y, y_dot;
+    BlockVector               y, y_dot, local_error;
+    TimeError                 error;
     Vector                    force, product, boundary;
   };
 } // namespace Cautery
