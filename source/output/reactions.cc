@@ -55,17 +55,34 @@ namespace Cautery
 
   template <int dim>
   Reactions<dim>::Reactions(const Scene &scene, const Field<dim> &nodes, const BoundaryMap<dim> &boundaries)
-    : nodes(nodes)
+    : scene(scene), nodes(&nodes)
   {
+    find(boundaries);
+  }
+
+  template <int dim>
+  void Reactions<dim>::use_mesh(const Field<dim> &new_nodes,
+                                const PointLocator<dim> &,
+                                const BoundaryMap<dim> &boundaries)
+  {
+    nodes = &new_nodes;
+    find(boundaries);
+  }
+
+  template <int dim>
+  void Reactions<dim>::find(const BoundaryMap<dim> &boundaries)
+  {
+    supports.clear();
+    taken.clear();
     // as in Supports: prescribed displacements come first, then tools, then rollers
     const auto add_boundaries = [&](const std::set<Boundary::Mechanical> &kinds) {
       for (unsigned int b = 0; b < scene.boundaries.size(); ++b)
         if (kinds.count(scene.boundaries[b].mechanical) > 0)
-          add(scene.boundaries[b].name, on_boundary(nodes, boundaries, b));
+          add(scene.boundaries[b].name, on_boundary(*nodes, boundaries, b));
     };
     add_boundaries({Boundary::Mechanical::fixed, Boundary::Mechanical::displacement});
     for (const Tool &tool : scene.tools)
-      add(tool.name, within(nodes, tool.centre, tool.radius));
+      add(tool.name, within(*nodes, tool.centre, tool.radius));
     add_boundaries({Boundary::Mechanical::roller});
   }
 
@@ -74,14 +91,14 @@ namespace Cautery
   {
     supports.push_back({name, {}});
     for (const auto node : held)
-      if (nodes.owned().is_element(node) && taken.insert(node).second)
+      if (nodes->owned().is_element(node) && taken.insert(node).second)
         supports.back().nodes.push_back(node);
   }
 
   template <int dim>
   void Reactions<dim>::write_to(const std::string &file_name)
   {
-    if (Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
+    if (Utilities::MPI::this_mpi_process(nodes->communicator()) != 0)
       return;
     file.open(file_name);
     file << "time_s,support,force_x_N,force_y_N,force_z_N\n" << std::setprecision(15);
@@ -97,8 +114,8 @@ namespace Cautery
       for (const auto node : supports[s].nodes)
         for (unsigned int c = 0; c < dim; ++c)
           sums[3 * s + c] += (*snapshot.unbalanced_forces)(dim * node + c);
-    Utilities::MPI::sum(sums, nodes.communicator(), sums);
-    if (Utilities::MPI::this_mpi_process(nodes.communicator()) != 0)
+    Utilities::MPI::sum(sums, nodes->communicator(), sums);
+    if (Utilities::MPI::this_mpi_process(nodes->communicator()) != 0)
       return;
     for (unsigned int s = 0; s < supports.size(); ++s)
       file << snapshot.state.time << ',' << supports[s].name << ',' << sums[3 * s] << ',' << sums[3 * s + 1]

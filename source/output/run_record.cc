@@ -60,6 +60,7 @@ namespace Cautery
               {"lost_to_blood_J", balance.blood},
               {"lost_through_boundary_J", balance.boundary},
               {"consumed_by_expansion_J", balance.expansion},
+              {"made_by_adaption_J", balance.adaption},
               {"error_J", balance.error()},
               {"relative_error", balance.relative_error()}};
     }
@@ -215,6 +216,10 @@ namespace Cautery
     json["extremes"]   = extremes_json(*this);
     if (ablation)
       json["ablation"] = ablation_json(*ablation);
+    if (adaption)
+      json["adaption"] = {{"times", adaption->times},
+                          {"largest_number_of_cells", adaption->most_cells},
+                          {"last_number_of_cells", adaption->last_cells}};
     if (balance)
       json["balance"] = balance_json(*balance);
     json["errors"] = errors_json(*this);
@@ -256,6 +261,9 @@ namespace Cautery
           out << "               WARNING: heat is lost or made. Does a power, flux or temperature jump by "
                  "itself? Then take `Switch on at`, smaller steps or tolerances.\n";
       }
+    if (adaption)
+      out << "Mesh           adapted " << adaption->times << " times, " << adaption->most_cells
+          << " cells at most, " << adaption->last_cells << " at the end\n";
     write_errors(*this, out);
     out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps
         << " steps on " << processes << (processes == 1 ? " process" : " processes") << ", "

@@ -33,8 +33,9 @@ namespace Cautery
   {
     fixed.reinit(field.relevant());
     prescribed.constrain(fixed);
+    fixed.merge(field.hanging_nodes());
     fixed.close();
-    eliminated.reinit(fixed, field.owned());
+    eliminated.reinit(fixed, field.owned(), field.communicator());
     nothing_fixed.reinit(field.relevant());
     nothing_fixed.close();
 

@@ -182,15 +182,29 @@ namespace Cautery
   }
 
   template <int dim>
-  void HeatLoads<dim>::add_surfaces_at(const double time, Vector &force) const
+  void HeatLoads<dim>::add_last(const double time, Vector &force) const
   {
     Vector load = field.vector();
     for (const auto &item : items)
-      if (item.source == nullptr)
-        {
-          assemble_now(item, time, load, nullptr);
-          force += load;
-        }
+      {
+        const double amplitude = item.source == nullptr ? 1. :
+                                 jumps                  ? item.source->amplitude(time) * item.last_share :
+                                                          item.effective;
+        if (amplitude == 0.)
+          continue;
+        assemble_now(item, time, load, nullptr);
+        force.add(amplitude, load);
+      }
+  }
+
+  template <int dim>
+  void HeatLoads<dim>::go_on(const HeatLoads &before)
+  {
+    for (unsigned int i = 0; i < items.size(); ++i)
+      {
+        items[i].last_share = before.items[i].last_share;
+        items[i].effective  = before.items[i].effective;
+      }
   }
 
   template <int dim>

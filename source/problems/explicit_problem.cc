@@ -78,6 +78,12 @@ namespace Cautery
   }
 
   template <typename Number>
+  void ExplicitProblem<Number>::go_on(State &, Problem<3> &, const State &)
+  {
+    Assert(false, ExcMessage("Explicit steps do not know hanging nodes; scenes with both are refused."));
+  }
+
+  template <typename Number>
   void ExplicitProblem<Number>::step(State &state, const double stop)
   {
     const double from = state.time;

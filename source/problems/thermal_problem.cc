@@ -21,6 +21,7 @@ namespace Cautery
                 in_space<dim>(nodes.mapping().transform_unit_to_real_cell(cell, support[i])), 0.);
         }
     state.temperature.compress(VectorOperation::insert);
+    nodes.hanging().distribute(state.temperature);
     const double lowest = state.temperature.min();
     AssertThrow(lowest >= 0.,
                 ExcInput("Initial state/Temperature = " + scene.initial_temperature.text() +
@@ -75,6 +76,17 @@ namespace Cautery
       books = std::make_unique<HeatBalance<dim>>(heat, nullptr, state, bookkeeping_rule<dim>(scene.time));
     });
     return state;
+  }
+
+  template <int dim>
+  void ThermalProblem<dim>::go_on(State &state, Problem<dim> &before, const State &last)
+  {
+    auto &earlier = dynamic_cast<ThermalProblem &>(before);
+    heat.loads().go_on(earlier.heat.loads());
+    books = std::make_unique<HeatBalance<dim>>(heat, nullptr, state, bookkeeping_rule<dim>(scene.time));
+    books->go_on(*earlier.books, last, state);
+    if (damage)
+      damage->go_on(state);
   }
 
   template <int dim>

@@ -110,22 +110,30 @@ namespace Cautery
         result.block(0) -= now.block(1);
       }
 
-    // prescribed entries: T - g = 0 and V - g' = 0
-    const auto replace = [this](Vector &block, const Vector &is, const Vector &should) {
-      heat.elimination().condense(block);
-      product = is;
-      product -= should;
-      heat.elimination().keep_constrained(product);
-      block += product;
-    };
+    // constrained entries: T - g = 0 and V - g' = 0
+    heat.elimination().condense(balance);
     boundary = now.block(0);
     heat.prescribe(time, boundary);
-    replace(result.block(0), now.block(0), boundary);
+    replace_constrained(now.block(0), boundary, result.block(0));
     if (second_order)
       {
         prescribed_rate(time, boundary);
-        replace(result.block(1), now.block(1), boundary);
+        product = now.block(1);
+        heat.elimination().distribute(product); // hanging nodes follow free ones too
+        heat.elimination().keep_constrained(product);
+        boundary += product;
+        replace_constrained(now.block(1), boundary, result.block(1));
       }
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::replace_constrained(const Vector &is, const Vector &should, Vector &residual)
+  {
+    product = is;
+    product -= should;
+    heat.elimination().keep_constrained(product);
+    heat.elimination().clear(residual);
+    residual += product;
   }
 
   template <int dim>
@@ -146,8 +154,7 @@ namespace Cautery
   {
     Vector fixed = right_hand_side.block(0); // prescribed entries of the solution
     heat.elimination().keep_constrained(fixed);
-    const bool moved = fixed.linfty_norm() > 0.;
-    Vector     lag   = heat.nodes().vector(); // alpha dT - dV
+    Vector lag = heat.nodes().vector(); // alpha dT - dV
     if (second_order)
       {
         // V = alpha T - lag turns the second row into (K + alpha C + alpha^2 M) T = b + (alpha M + C) lag
@@ -155,8 +162,9 @@ namespace Cautery
         heat.elimination().keep_constrained(lag);
         lag.sadd(-1., alpha, fixed);
         Vector free = right_hand_side.block(0);
-        heat.elimination().condense(free);
+        heat.elimination().clear(free);
         lag += free;
+        heat.nodes().hanging().add_dependence(lag);
         force = right_hand_side.block(1);
         heat.damping()->full.vmult(product, lag);
         force += product;
@@ -165,7 +173,8 @@ namespace Cautery
       }
     else
       force = right_hand_side.block(0);
-    if (moved)
+    heat.nodes().hanging().add_dependence(fixed);
+    if (fixed.linfty_norm() > 0.)
       {
         heat.stiffness().full.vmult(product, fixed);
         force -= product;
@@ -199,6 +208,7 @@ namespace Cautery
     prescribed_rate(time, boundary);
     boundary -= y.block(1);
     heat.elimination().keep_constrained(boundary);
+    heat.nodes().hanging().distribute(boundary);
     heat.inertia()->full.vmult(product, boundary);
     force -= product;
     heat.elimination().condense(force);
@@ -215,10 +225,8 @@ namespace Cautery
     prescribed_rate(time, boundary);
     if (second_order)
       {
-        Vector free = y.block(1);
-        heat.elimination().condense(free);
-        y.block(1) = boundary;
-        y.block(1) += free;
+        heat.elimination().distribute(y.block(1));
+        y.block(1) += boundary;
         y_dot.block(0) = y.block(1);
       }
     // the highest derivative from the balance

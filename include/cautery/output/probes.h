@@ -25,13 +25,16 @@ namespace Cautery
     void write_to(const std::string &file_name);
 
     std::string name() const override { return "output: probes"; }
+    void        use_mesh(const Field<dim>        &new_nodes,
+                         const PointLocator<dim> &locator,
+                         const BoundaryMap<dim>  &boundaries) override;
     void        observe(const Snapshot<dim> &snapshot) override;
 
   private:
     double value(const unsigned int probe, const Vector &ghosted) const;
 
     const std::vector<Probe>                                         probes;
-    const Field<dim>                                                &nodes;
+    const Field<dim>                                                *nodes;
     std::vector<std::optional<typename PointLocator<dim>::Location>> locations;
     std::ofstream                                                    file;
     bool                                                             has_header = false;

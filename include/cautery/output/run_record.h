@@ -50,6 +50,15 @@ namespace Cautery
     };
     std::optional<Ablation> ablation;
 
+    /** Of the mesh to the solution. */
+    struct Adaption
+    {
+      unsigned int times      = 0; ///< that the mesh has been changed in the course of the run
+      unsigned int most_cells = 0;
+      unsigned int last_cells = 0;
+    };
+    std::optional<Adaption> adaption;
+
     double                          wall_seconds      = 0.;
     double                          processor_seconds = 0.; ///< of the process that took most
     double                          seconds_per_step  = 0.; ///< mean over the time loop without output

@@ -23,5 +23,14 @@ namespace Cautery
       sum += n_steps * error;
       steps += n_steps;
     }
+
+    /** Counts the steps of another one too. */
+    TimeError &operator+=(const TimeError &other)
+    {
+      largest = std::max(largest, other.largest);
+      sum += other.sum;
+      steps += other.steps;
+      return *this;
+    }
   };
 } // namespace Cautery

@@ -17,12 +17,13 @@ namespace Cautery
   public:
     ExplicitProblem(const Scene &scene, const Body<3> &body, Cost &cost);
 
-    State                                          start() override;
-    void                                           step(State &state, const double stop) override;
-    std::optional<MechanicalFields<3>>             mechanical_fields(const State &state) const override;
-    const Field<3>                                *displacement() const override { return field.get(); }
-    std::optional<Vector>                          unbalanced_forces(const State &state) override;
-    std::optional<HeatTotals>                      heat_totals(const State &state) override;
+    State                              start() override;
+    void                               go_on(State &state, Problem<3> &before, const State &last) override;
+    void                               step(State &state, const double stop) override;
+    std::optional<MechanicalFields<3>> mechanical_fields(const State &state) const override;
+    const Field<3>                    *displacement() const override { return field.get(); }
+    std::optional<Vector>              unbalanced_forces(const State &state) override;
+    std::optional<HeatTotals>          heat_totals(const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
     std::map<std::string, TimeError>               time_errors() const override;

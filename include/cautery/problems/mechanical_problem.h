@@ -17,9 +17,10 @@ namespace Cautery
   public:
     MechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
-    State                                          start() override;
-    void                                           step(State &state, const double stop) override;
-    void                                           complete(State &state) override;
+    State start() override;
+    void  go_on(State &state, Problem<dim> &before, const State &last) override;
+    void  step(State &state, const double stop) override;
+    void  complete(State &state) override;
     std::optional<MechanicalFields<dim>>           mechanical_fields(const State &state) const override;
     const Field<dim>                              *displacement() const override { return &field; }
     std::optional<Vector>                          unbalanced_forces(const State &state) override;

@@ -27,6 +27,12 @@ namespace Cautery
     /** The state at t = 0, with exactly the vectors that the scene's effects need. */
     virtual State start() = 0;
 
+    /**
+     * Goes on from @p state, which is on this problem's nodes, where @p before, the same problem on another
+     * mesh, has come to @p last. Completes what has no history. Collective. Errors: ExcRun.
+     */
+    virtual void go_on(State &state, Problem &before, const State &last) = 0;
+
     /** One step, at most to @p stop (s). Errors: ExcRun; @p state is then that of the last good step. */
     virtual void step(State &state, const double stop) = 0;
 

@@ -48,13 +48,16 @@ namespace Cautery
     void prepare_directory(const std::string &directory) const;
     void prepare_outputs(const std::string &directory);
     /// From the start to the end, or until the forecast is made.
-    void      go(State &state, Progress &progress, const bool only_trial);
-    void      advance(State &state, const double stop, Progress &progress);
-    void      foretell(const double length, const double seconds, const double time);
-    void      observe(State &state);
-    void      observe_last_good();
-    void      say_step(const State &state, Progress &progress) const; ///< collective
-    RunRecord record(const State &state) const;
+    void                         go(State &state, Progress &progress, const bool only_trial);
+    void                         advance(State &state, const double stop, Progress &progress);
+    double                       stop_before(const double time) const;
+    void                         adapt_mesh(State &state, Progress &progress);
+    void                         foretell(const double length, const double seconds, const double time);
+    std::vector<Observer<dim> *> observers() const;
+    void                         observe(State &state);
+    void                         observe_last_good();
+    void                         say_step(const State &state, Progress &progress) const; ///< collective
+    RunRecord                    record(const State &state) const;
     RunRecord
     finish(const State &state, const std::string &directory, const std::string &failure, Progress &progress);
 
@@ -69,6 +72,10 @@ namespace Cautery
     Extremes                                    extremes;
     Forecast                                    forecast;
     SpaceErrors                                 space_errors;
+    std::map<std::string, double>               past_statistics;    ///< of earlier meshes
+    std::map<std::string, TimeError>            past_time_errors;   ///< the same
+    double                                      next_adaption = 0.; ///< s
+    RunRecord::Adaption                         adaption;
     State                                       last_good;          ///< after the last complete step
     double                                      observed     = -1.; ///< s; when the outputs were last asked
     double                                      loop_seconds = 0.;

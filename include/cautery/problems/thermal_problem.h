@@ -16,9 +16,10 @@ namespace Cautery
   public:
     ThermalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
-    State                                          start() override;
-    void                                           step(State &state, const double stop) override;
-    std::optional<HeatTotals>                      heat_totals(const State &state) override;
+    State                     start() override;
+    void                      go_on(State &state, Problem<dim> &before, const State &last) override;
+    void                      step(State &state, const double stop) override;
+    std::optional<HeatTotals> heat_totals(const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>    statistics() const override { return integrator->statistics(); }
     std::map<std::string, TimeError> time_errors() const override { return integrator->time_errors(); }

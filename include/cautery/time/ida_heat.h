@@ -35,6 +35,7 @@ namespace Cautery
                         const double       new_alpha) override;
     void solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double tolerance) override;
 
+    void replace_constrained(const Vector &is, const Vector &should, Vector &residual);
     void start(State &state);
     void jump(const double time);
     void make_consistent(const double time);
