@@ -98,7 +98,7 @@ namespace Cautery
   } // namespace
 
   template <int dim>
-  AblationZone<dim>::AblationZone(const Point<3> &about, const Field<dim> &nodes) : nodes(nodes)
+  AblationZone<dim>::AblationZone(const Point<3> &about, const Field<dim> &nodes)
   {
     for (unsigned int d = 0; d < dim; ++d)
       centre[d] = about[d];
@@ -142,6 +142,7 @@ namespace Cautery
   template <int dim>
   void AblationZone<dim>::observe(const Snapshot<dim> &snapshot)
   {
+    const Field<dim>                    &nodes     = snapshot.nodes;
     const Vector                         ln_damage = nodes.ghosted(snapshot.state.ln_damage);
     std::vector<types::global_dof_index> dofs(nodes.element().n_dofs_per_cell());
     std::vector<Point<dim>>              corners(dim + 1);

@@ -61,6 +61,9 @@ namespace Cautery
         kept.push_back(nodes.ghosted(column.values));
         data.add_data_vector(nodes.dof_handler(), kept.back(), column.name);
       }
+    if (snapshot.gradient_errors != nullptr)
+      for (const auto &[field, error] : *snapshot.gradient_errors)
+        data.add_data_vector(error.cells, error_column(field), DataOut<dim>::type_cell_data);
     const auto region = regions(nodes);
     data.add_data_vector(region, "region", DataOut<dim>::type_cell_data);
 

@@ -33,21 +33,30 @@ namespace Cautery
   Probes<dim>::Probes(const std::vector<Probe> &probes,
                       const PointLocator<dim>  &locator,
                       const Field<dim>         &nodes)
-    : probes(probes), nodes(nodes), locations(locate(probes, locator))
+    : probes(probes), nodes(&nodes), locations(locate(probes, locator))
   {
+  }
+
+  template <int dim>
+  void Probes<dim>::use_mesh(const Field<dim>        &new_nodes,
+                             const PointLocator<dim> &locator,
+                             const BoundaryMap<dim> &)
+  {
+    nodes     = &new_nodes;
+    locations = locate(probes, locator);
   }
 
   template <int dim>
   double Probes<dim>::value(const unsigned int probe, const Vector &ghosted) const
   {
     const auto                          &location = *locations[probe];
-    const auto                           cell     = nodes.cell(location.cell);
-    std::vector<types::global_dof_index> dofs(nodes.element().n_dofs_per_cell());
+    const auto                           cell     = nodes->cell(location.cell);
+    std::vector<types::global_dof_index> dofs(nodes->element().n_dofs_per_cell());
     cell->get_dof_indices(dofs);
     double result = 0.;
     for (unsigned int i = 0; i < dofs.size(); ++i)
       {
-        const double weight = nodes.element().shape_value(i, location.unit);
+        const double weight = nodes->element().shape_value(i, location.unit);
         const double nodal  = ghosted(dofs[i]);
         if (std::abs(weight) <= 1e-8)
           continue;
@@ -67,15 +76,15 @@ namespace Cautery
     std::vector<double> values(probes.size() * columns.size(), 0.);
     for (unsigned int c = 0; c < columns.size(); ++c)
       {
-        const Vector ghosted = nodes.ghosted(columns[c].values);
+        const Vector ghosted = nodes->ghosted(columns[c].values);
         for (unsigned int p = 0; p < probes.size(); ++p)
           if (locations[p])
             values[p * columns.size() + c] = value(p, ghosted);
       }
     // one process has each probe, the others add zeros
-    Utilities::MPI::sum(values, nodes.communicator(), values);
-    fail_together(nodes.communicator(), [&]() {
-      if (Utilities::MPI::this_mpi_process(nodes.communicator()) == 0)
+    Utilities::MPI::sum(values, nodes->communicator(), values);
+    fail_together(nodes->communicator(), [&]() {
+      if (Utilities::MPI::this_mpi_process(nodes->communicator()) == 0)
         file.add(rows(snapshot.state.time, columns, values));
     });
   }

@@ -57,17 +57,34 @@ namespace Cautery
 
   template <int dim>
   Reactions<dim>::Reactions(const Scene &scene, const Field<dim> &nodes, const BoundaryMap<dim> &boundaries)
-    : nodes(nodes)
+    : scene(scene), nodes(&nodes)
   {
+    find(boundaries);
+  }
+
+  template <int dim>
+  void Reactions<dim>::use_mesh(const Field<dim> &new_nodes,
+                                const PointLocator<dim> &,
+                                const BoundaryMap<dim> &boundaries)
+  {
+    nodes = &new_nodes;
+    find(boundaries);
+  }
+
+  template <int dim>
+  void Reactions<dim>::find(const BoundaryMap<dim> &boundaries)
+  {
+    supports.clear();
+    taken.clear();
     // as in Supports: prescribed displacements come first, then tools, then rollers
     const auto add_boundaries = [&](const std::set<Boundary::Mechanical> &kinds) {
       for (unsigned int b = 0; b < scene.boundaries.size(); ++b)
         if (kinds.count(scene.boundaries[b].mechanical) > 0)
-          add(scene.boundaries[b].name, on_boundary(nodes, boundaries, b));
+          add(scene.boundaries[b].name, on_boundary(*nodes, boundaries, b));
     };
     add_boundaries({Boundary::Mechanical::fixed, Boundary::Mechanical::displacement});
     for (const Tool &tool : scene.tools)
-      add(tool.name, within(nodes, tool.centre, tool.radius));
+      add(tool.name, within(*nodes, tool.centre, tool.radius));
     add_boundaries({Boundary::Mechanical::roller});
   }
 
@@ -76,7 +93,7 @@ namespace Cautery
   {
     supports.push_back({name, {}});
     for (const auto node : held)
-      if (nodes.owned().is_element(node) && taken.insert(node).second)
+      if (nodes->owned().is_element(node) && taken.insert(node).second)
         supports.back().nodes.push_back(node);
   }
 
@@ -89,7 +106,7 @@ namespace Cautery
       for (const auto node : supports[s].nodes)
         for (unsigned int c = 0; c < dim; ++c)
           sums[3 * s + c] += (*snapshot.unbalanced_forces)(dim * node + c);
-    Utilities::MPI::sum(sums, nodes.communicator(), sums);
+    Utilities::MPI::sum(sums, nodes->communicator(), sums);
     std::ostringstream rows;
     rows << std::setprecision(15);
     if (file.length() == 0)
@@ -97,7 +114,7 @@ namespace Cautery
     for (unsigned int s = 0; s < supports.size(); ++s)
       rows << snapshot.state.time << ',' << supports[s].name << ',' << sums[3 * s] << ',' << sums[3 * s + 1]
            << ',' << sums[3 * s + 2] << '\n';
-    fail_together(nodes.communicator(), [&]() {
+    fail_together(nodes->communicator(), [&]() {
       if (Utilities::MPI::this_mpi_process(nodes.communicator()) == 0)
         file.add(rows.str());
     });

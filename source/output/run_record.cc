@@ -59,8 +59,42 @@ namespace Cautery
               {"lost_to_blood_J", balance.blood},
               {"lost_through_boundary_J", balance.boundary},
               {"consumed_by_expansion_J", balance.expansion},
+              {"made_by_adaption_J", balance.adaption},
               {"error_J", balance.error()},
               {"relative_error", balance.relative_error()}};
+    }
+    std::string unit(const std::string &balance) { return balance == "heat" ? "K" : "m"; }
+
+    Json errors_json(const RunRecord &record)
+    {
+      Json json;
+      for (const auto &[name, error] : record.time_errors)
+        json["time"][name] = {{"steps", error.steps},
+                              {"largest_of_a_step_" + unit(name), error.largest},
+                              {"sum_over_steps_" + unit(name), error.sum}};
+      for (const auto &[name, error] : record.space_errors)
+        json["space"][name + "_gradient"] = {{"relative", error.last}, {"largest_relative", error.largest}};
+      if (record.balance)
+        json["heat_balance"] = {{"relative", record.balance->relative_error()}};
+      return json;
+    }
+
+    void write_errors(const RunRecord &record, std::ostream &out)
+    {
+      std::string label = "Errors         ";
+      const auto  begin = [&]() -> std::ostream  &{
+        out << label << std::setprecision(2);
+        label = std::string(label.size(), ' ');
+        return out;
+      };
+      for (const auto &[name, error] : record.time_errors)
+        begin() << name << " in time: about " << error.largest << ' ' << unit(name) << " in the worst step, "
+                << error.sum << ' ' << unit(name) << " summed over all\n";
+      for (const auto &[name, error] : record.space_errors)
+        begin() << name << " in space: about " << 100. * error.last << " % of its gradient\n";
+      if (record.balance)
+        begin() << "balance of heat: closed to " << record.balance->relative_error() << " of what moved\n";
+      out << std::setprecision(6);
     }
   } // namespace
 
@@ -183,15 +217,19 @@ namespace Cautery
     json["extremes"]   = extremes_json(*this);
     if (ablation)
       json["ablation"] = ablation_json(*ablation);
+    if (adaption)
+      json["adaption"] = {{"times", adaption->times},
+                          {"largest_number_of_cells", adaption->most_cells},
+                          {"last_number_of_cells", adaption->last_cells}};
     if (balance)
       json["balance"] = balance_json(*balance);
-    json["cost"] = cost_json(*this);
+    json["errors"] = errors_json(*this);
+    json["cost"]   = cost_json(*this);
     if (forecast)
       json["forecast"] = forecast_json(*this);
 
     // names in a mesh or a scene may be of another encoding than UTF-8: no reason to lose a run's summary
-    replace_file(file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + '
-');
+    replace_file(file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   }
 
   std::string RunRecord::text() const
@@ -214,12 +252,15 @@ namespace Cautery
       }
     if (balance)
       {
-        out << "Heat           " << balance->sources << " J put in" << depth << ", balance closed to "
-            << std::setprecision(2) << balance->relative_error() << " of what moved\n";
+        out << "Heat           " << balance->sources << " J put in" << depth << '\n';
         if (balance->relative_error() > open_books)
           out << "               WARNING: heat is lost or made. Does a power, flux or temperature jump by "
                  "itself? Then take `Switch on at`, smaller steps or tolerances.\n";
       }
+    if (adaption)
+      out << "Mesh           adapted " << adaption->times << " times, " << adaption->most_cells
+          << " cells at most, " << adaption->last_cells << " at the end\n";
+    write_errors(*this, out);
     out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps
         << " steps on " << processes << (processes == 1 ? " process" : " processes") << ", "
         << std::setprecision(0) << std::fixed << 1e-6 * peak_memory << " MB at most\n"

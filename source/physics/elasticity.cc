@@ -154,6 +154,7 @@ namespace Cautery
     load_at(state.time, state, outer);
     elastic.full.vmult(result, state.displacement);
     result -= outer;
+    displacement.hanging().condense(result);
     return result;
   }
 

@@ -114,7 +114,7 @@ namespace Cautery
       return;
     // what a body at rest makes and takes up is carried away by a flux that dies out with tau
     conducted = inside;
-    outside.add_surfaces_at(state.time, conducted);
+    outside.add_last(state.time, conducted);
     for (std::uint32_t node = 0; node < conducted.locally_owned_size(); ++node)
       conducted.begin()[node] -=
         (blood_weights.begin()[node] + surface_weights.begin()[node]) * state.temperature.begin()[node];

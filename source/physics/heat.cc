@@ -30,6 +30,7 @@ namespace Cautery
                 in_space<dim>(nodes.mapping().transform_unit_to_real_cell(cell, support[i])), 0.);
         }
     result.compress(VectorOperation::insert);
+    nodes.hanging().distribute(result);
     return result;
   }
 
@@ -52,8 +53,9 @@ namespace Cautery
   {
     fixed.reinit(field.relevant());
     prescribed.constrain(fixed);
+    fixed.merge(field.hanging_nodes());
     fixed.close();
-    eliminated.reinit(fixed, field.owned());
+    eliminated.reinit(fixed, field.owned(), field.communicator());
     nothing_fixed.reinit(field.relevant());
     nothing_fixed.close();
 

@@ -15,6 +15,18 @@ namespace Cautery
     constexpr double rounding = 1e-11;
   } // namespace
 
+  HeatTotals &HeatTotals::operator+=(const HeatTotals &other)
+  {
+    sources += other.sources;
+    metabolism += other.metabolism;
+    stored += other.stored;
+    blood += other.blood;
+    boundary += other.boundary;
+    expansion += other.expansion;
+    adaption += other.adaption;
+    return *this;
+  }
+
   double HeatTotals::relative_error() const
   {
     const double moved = std::abs(sources) + std::abs(metabolism) + std::abs(stored) + std::abs(blood) +
@@ -48,11 +60,37 @@ namespace Cautery
           heat.refresh(start, start.temperature);
         first_flux = heat.books().blood_source;
         first_flux += heat.books().metabolism;
-        heat.loads().add_surfaces_at(start.time, first_flux); // no source is on before
+        heat.loads().add_last(start.time, first_flux);
         Vector product = heat.nodes().vector();
         heat.stiffness().full.vmult(product, start.temperature);
         first_flux -= product;
+        heat.books().capacity.vmult(product, start.temperature_rate);
+        first_flux -= product;
+        if (feedback != nullptr)
+          {
+            feedback->matrix().vmult(product, start.displacement_rate);
+            first_flux -= product;
+          }
       }
+  }
+
+  template <int dim>
+  double HeatBalance<dim>::heat_content(const Vector &temperature) const
+  {
+    Vector product = temperature;
+    (heat.relaxes() ? heat.books().capacity : heat.damping()->full).vmult(product, temperature);
+    return sum(product);
+  }
+
+  template <int dim>
+  void HeatBalance<dim>::go_on(HeatBalance &before, const State &last, const State &start)
+  {
+    past = before.totals(last);
+    if (heat.changes())
+      heat.refresh(start, start.temperature);
+    const double made = heat_content(start.temperature) - before.heat_content(last.temperature);
+    past.adaption += made;
+    past.stored += made;
   }
 
   template <int dim>
@@ -168,6 +206,7 @@ namespace Cautery
     flush(now);
     Vector taken = left;
     taken += delivered;
+    heat.nodes().hanging().condense(taken);
     HeatTotals result;
     result.sources    = received.sources;
     result.metabolism = metabolism;
@@ -177,6 +216,7 @@ namespace Cautery
     // convection and given fluxes are known; what is left over at nodes of prescribed temperature went
     // through them
     result.boundary = surfaces - received.surfaces + first + heat.prescribed_temperatures().sum(taken) - lent;
+    result += past;
     return result;
   }
 

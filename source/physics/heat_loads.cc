@@ -186,15 +186,29 @@ namespace Cautery
   }
 
   template <int dim>
-  void HeatLoads<dim>::add_surfaces_at(const double time, Vector &force) const
+  void HeatLoads<dim>::add_last(const double time, Vector &force) const
   {
     Vector load = field.vector();
     for (const auto &item : items)
-      if (item.source == nullptr)
-        {
-          assemble_now(item, time, load, nullptr);
-          force += load;
-        }
+      {
+        const double amplitude = item.source == nullptr ? 1. :
+                                 jumps                  ? item.source->amplitude(time) * item.last_share :
+                                                          item.effective;
+        if (amplitude == 0.)
+          continue;
+        assemble_now(item, time, load, nullptr);
+        force.add(amplitude, load);
+      }
+  }
+
+  template <int dim>
+  void HeatLoads<dim>::go_on(const HeatLoads &before)
+  {
+    for (unsigned int i = 0; i < items.size(); ++i)
+      {
+        items[i].last_share = before.items[i].last_share;
+        items[i].effective  = before.items[i].effective;
+      }
   }
 
   template <int dim>
@@ -257,6 +271,19 @@ namespace Cautery
           assemble_now(item, time, load, &relaxed);
           force.add(jump, relaxed);
         }
+  }
+
+  template <int dim>
+  bool HeatLoads<dim>::jumps_within(const double from, const double to) const
+  {
+    // steps end at switches but for rounding
+    const double rounding = 1e-9 * (to - from);
+    const auto   within   = [&](const double time) { return time > from + rounding && time < to - rounding; };
+    return std::any_of(items.begin(), items.end(), [&](const Item &item) {
+      return item.source != nullptr &&
+             (std::any_of(item.source->schedule.on.begin(), item.source->schedule.on.end(), within) ||
+              std::any_of(item.source->schedule.off.begin(), item.source->schedule.off.end(), within));
+    });
   }
 
   template <int dim>

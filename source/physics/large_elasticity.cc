@@ -204,6 +204,7 @@ namespace Cautery
     Vector result = displacement.vector();
     add_inner_forces(x, loading, result);
     result -= loading.force;
+    displacement.hanging().condense(result);
     return result;
   }
 

@@ -30,7 +30,7 @@ namespace Cautery
                 const auto        component = fe.system_to_component_index(i).first;
                 const Expression *expression =
                   chooser(boundaries[cell->face(face)->boundary_id()], component);
-                if (expression == nullptr)
+                if (expression == nullptr || field.hanging_nodes().is_constrained(dofs[i]))
                   continue;
                 const auto place =
                   field.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i));
@@ -60,7 +60,7 @@ namespace Cautery
           {
             const Point<3> place =
               in_space<dim>(field.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(i)));
-            if (place.distance(centre) > radius)
+            if (place.distance(centre) > radius || field.hanging_nodes().is_constrained(dofs[i]))
               continue;
             const auto component = fe.system_to_component_index(i).first;
             values.insert({dofs[i], {numbers::invalid_unsigned_int, &displacement[component], place}});
@@ -85,6 +85,7 @@ namespace Cautery
       if (field.owned().is_element(dof))
         x(dof) = value.expression->value(value.place, time);
     x.compress(VectorOperation::insert);
+    field.hanging().distribute(x);
   }
 
   template <int dim>

@@ -30,9 +30,10 @@ namespace Cautery
                            to_text(tool.radius) + " m of its Centre; move it, or take a larger Radius"));
     fixed.reinit(displacement.relevant());
     prescribed.constrain(fixed);
+    fixed.merge(displacement.hanging_nodes());
     constrain_rollers(displacement, boundaries, fixed);
     fixed.close();
-    eliminated.reinit(fixed, displacement.owned());
+    eliminated.reinit(fixed, displacement.owned(), displacement.communicator());
   }
 
   /// Of what holds a body, a fixed surface holds it altogether; rollers may leave it a shift or a turn.

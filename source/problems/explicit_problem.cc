@@ -78,6 +78,12 @@ namespace Cautery
   }
 
   template <typename Number>
+  void ExplicitProblem<Number>::go_on(State &, Problem<3> &, const State &)
+  {
+    Assert(false, ExcMessage("Explicit steps do not know hanging nodes; scenes with both are refused."));
+  }
+
+  template <typename Number>
   void ExplicitProblem<Number>::step(State &state, const double stop)
   {
     const double from = state.time;
@@ -162,6 +168,12 @@ namespace Cautery
     if (heat_integrator)
       result.merge(heat_integrator->statistics());
     return result;
+  }
+
+  template <typename Number>
+  std::map<std::string, TimeError> ExplicitProblem<Number>::time_errors() const
+  {
+    return heat_integrator ? heat_integrator->time_errors() : std::map<std::string, TimeError>();
   }
 
   template class ExplicitProblem<float>;

@@ -2,6 +2,7 @@
 #include <cautery/base/agreement.h>
 #include <cautery/output/fields.h>
 #include <cautery/output/reactions.h>
+#include <cautery/problems/adaption.h>
 #include <cautery/problems/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -24,6 +25,9 @@ namespace Cautery
   {
     cost.build("set-up: mesh", [&]() { body = std::make_unique<Body<dim>>(scene, communicator); });
     problem = make_problem(scene, *body, cost);
+    adapt_to_first_step(scene, body, problem, cost);
+    adaption.most_cells = adaption.last_cells = body->mesh.n_cells();
+    next_adaption                             = scene.mesh.adaptive.interval;
     cost.build("set-up: observers", [&]() {
       probes = std::make_unique<Probes<dim>>(scene.output.probes(), body->locator, body->nodes);
       if (scene.effects.has_damage())
@@ -133,7 +137,12 @@ namespace Cautery
     Progress progress(communicator, voice == Voice::speaks, scene.time.end);
     last_good = state;
     make_outputs(directory);
-    if (voice == Voice::speaks) // runs of a study are short, and end as it does
+    const bool adapts = scene.mesh.adaptive.is_on();
+    AssertThrow(
+      !resume_it || !adapts,
+      ExcInput("--resume: a run with Mesh/Adaptive on keeps no checkpoint; run it anew, or with one mesh"));
+    // runs of a study are short, and end as it does; a checkpoint holds no mesh
+    if (voice == Voice::speaks && !adapts)
       safekeeper = std::make_unique<Safekeeper<dim>>(directory, scene, *body, *problem, cost);
     bool stopped = false;
     try
@@ -221,6 +230,16 @@ namespace Cautery
     Extremes so_far = extremes.reduced(communicator);
     archive.section("extremes", [&]() { so_far.archive(archive); });
     extremes = so_far;
+    archive.section("errors in space", [&]() {
+      const auto field = [&](const std::string &name) {
+        archive.shared(name + ", last", space_errors[name].last);
+        archive.shared(name + ", largest", space_errors[name].largest);
+      };
+      if (scene.effects.has_heat())
+        field("temperature");
+      if (scene.effects.has_deformation())
+        field("displacement");
+    });
     archive.shared("last output", observed);
     fail_together(communicator, [&]() {
       probes->archive(archive);
@@ -242,7 +261,8 @@ namespace Cautery
           {
             if (safekeeper && safekeeper->look(state, store))
               return false;
-            advance(state, time, progress);
+            advance(state, stop_before(time), progress);
+            adapt_mesh(state, progress);
             if (only_trial && forecast.result())
               return true;
           }
@@ -312,6 +332,49 @@ namespace Cautery
       progress.show(state.time, state.step, extremes.reduced(communicator).hottest_now);
   }
 
+  namespace
+  {
+    /// Relative: times that are the same but for rounding.
+    constexpr double same_time = 1e-12;
+  } // namespace
+
+  /// @p time, or when the mesh is adapted before; s.
+  template <int dim>
+  double Simulation<dim>::stop_before(const double time) const
+  {
+    const AdaptiveSettings &settings = scene.mesh.adaptive;
+    const bool before = settings.is_on() && settings.interval > 0. && next_adaption < time * (1. - same_time);
+    return before ? next_adaption : time;
+  }
+
+  /// If it is time.
+  template <int dim>
+  void Simulation<dim>::adapt_mesh(State &state, Progress &progress)
+  {
+    const AdaptiveSettings &settings = scene.mesh.adaptive;
+    if (!settings.is_on() || settings.interval == 0. || state.time < next_adaption * (1. - same_time) ||
+        state.time >= scene.time.end)
+      return;
+    next_adaption += settings.interval;
+    Adapted<dim> next = adapt(scene, *body, *problem, state, cost);
+    if (!next.problem)
+      return;
+    for (const auto &[name, count] : problem->statistics())
+      past_statistics[name] += count;
+    for (const auto &[name, error] : problem->time_errors())
+      past_time_errors[name] += error;
+    for (auto *observer : observers())
+      observer->use_mesh(next.body->nodes, next.body->locator, next.body->boundaries);
+    problem   = std::move(next.problem); // before the body that the old one stands on goes
+    body      = std::move(next.body);
+    last_good = state;
+    ++adaption.times;
+    adaption.last_cells = body->mesh.n_cells();
+    adaption.most_cells = std::max(adaption.most_cells, adaption.last_cells);
+    progress.say("t = " + to_text(state.time) + " s  mesh adapted: " + std::to_string(adaption.last_cells) +
+                 " cells\n");
+  }
+
   template <int dim>
   void Simulation<dim>::observe_last_good()
   {
@@ -351,21 +414,37 @@ namespace Cautery
         const auto scope = cost.measure("deformation: reactions");
         unbalanced       = problem->unbalanced_forces(state);
       }
+    std::optional<GradientErrors> errors; // as dear as a step or two: where it is seen only
+    if (scene.output.fields || state.time >= scene.time.end)
+      {
+        const auto scope = cost.measure("output: error indicator");
+        errors           = gradient_errors(body->nodes, body->tissues, problem->displacement(), state);
+        Cautery::observe(*errors, space_errors);
+      }
     const Snapshot<dim> snapshot{state,
                                  body->nodes,
                                  problem->displacement(),
                                  mechanical ? &*mechanical : nullptr,
-                                 unbalanced ? &*unbalanced : nullptr};
+                                 unbalanced ? &*unbalanced : nullptr,
+                                 errors ? &*errors : nullptr};
     const auto          look = [&](Observer<dim> &observer) {
       const auto scope = cost.measure(observer.name());
       observer.observe(snapshot);
     };
-    look(*probes);
-    if (ablation)
-      look(*ablation);
-    for (auto &observer : others)
+    for (auto *observer : observers())
       look(*observer);
     forecast.add_output(whole.wall_time());
+  }
+
+  template <int dim>
+  std::vector<Observer<dim> *> Simulation<dim>::observers() const
+  {
+    std::vector<Observer<dim> *> result = {probes.get()};
+    if (ablation)
+      result.push_back(ablation.get());
+    for (const auto &observer : others)
+      result.push_back(observer.get());
+    return result;
   }
 
   template <int dim>
@@ -379,9 +458,17 @@ namespace Cautery
     result.resumed_from = resumed_from;
     result.unknowns     = problem->unknowns();
     result.time_steps   = state.step;
-    result.statistics   = problem->statistics();
-    result.extremes     = extremes.reduced(communicator);
-    result.balance      = problem->heat_totals(state);
+    result.statistics   = past_statistics;
+    for (const auto &[name, count] : problem->statistics())
+      result.statistics[name] += count;
+    result.extremes    = extremes.reduced(communicator);
+    result.balance     = problem->heat_totals(state);
+    result.time_errors = past_time_errors;
+    for (const auto &[name, error] : problem->time_errors())
+      result.time_errors[name] += error;
+    if (scene.mesh.adaptive.is_on())
+      result.adaption = adaption;
+    result.space_errors = space_errors;
     if (ablation)
       {
         RunRecord::Ablation zone;

@@ -66,6 +66,17 @@ namespace Cautery
   }
 
   template <int dim>
+  void ThermalProblem<dim>::go_on(State &state, Problem<dim> &before, const State &last)
+  {
+    auto &earlier = dynamic_cast<ThermalProblem &>(before);
+    heat.loads().go_on(earlier.heat.loads());
+    books = std::make_unique<HeatBalance<dim>>(heat, nullptr, state, bookkeeping_rule<dim>(scene.time));
+    books->go_on(*earlier.books, last, state);
+    if (damage)
+      damage->go_on(state);
+  }
+
+  template <int dim>
   void ThermalProblem<dim>::step(State &state, const double stop)
   {
     const double from = state.time;

@@ -85,6 +85,25 @@ namespace Cautery
   }
 
   template <int dim>
+  void ThermomechanicalProblem<dim>::go_on(State &state, Problem<dim> &before, const State &last)
+  {
+    auto &earlier = dynamic_cast<ThermomechanicalProblem &>(before);
+    heat.loads().go_on(earlier.heat.loads());
+    if (statics.equilibrium)
+      state.displacement = 0.; // where Newton's method begins
+    if (statics.equilibrium && (displacement_at_every_step || feedback))
+      {
+        statics.equilibrium->solve(state);
+        solved_at = state.time;
+      }
+    books =
+      std::make_unique<HeatBalance<dim>>(heat, feedback.get(), state, bookkeeping_rule<dim>(scene.time));
+    books->go_on(*earlier.books, last, state);
+    if (damage)
+      damage->go_on(state);
+  }
+
+  template <int dim>
   void ThermomechanicalProblem<dim>::step(State &state, const double stop)
   {
     const double from = state.time;

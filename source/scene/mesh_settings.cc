@@ -28,6 +28,7 @@ namespace Cautery
             "Unit of the file's coordinates");
     p.entry(
       "Refinements", refinements, "How often every cell is divided, into 2^dimension", Bounds::between(0, 8));
+    p.section("Adaptive", [&]() { adaptive.parameters(p); });
     if (!p.reading())
       return;
     if (shape == Shape::file && file_name.empty())

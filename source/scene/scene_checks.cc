@@ -138,6 +138,35 @@ namespace Cautery
                 "that stops do not leave; leave it empty");
     }
 
+    void check_adaptive(const Scene &scene)
+    {
+      const AdaptiveSettings &adaptive = scene.mesh.adaptive;
+      if (!adaptive.is_on())
+        return;
+      const std::string name = "Mesh/Adaptive/Follow";
+      require(!adaptive.follows_temperature() || scene.effects.has_heat(),
+              name + " = temperature, but heat is off; choose displacement, or turn Effects/Heat on");
+      require(
+        !adaptive.follows_displacement() || scene.effects.has_deformation(),
+        name + " = displacement, but deformation is off; choose temperature, or turn Effects/Deformation on");
+      require(
+        scene.mesh.shape == MeshSettings::Shape::file || scene.mesh.cells == MeshSettings::Cells::hexahedra,
+        name + " needs cells that can be divided beside others that are not, as tetrahedra cannot here; set "
+               "Mesh/Cells = hexahedra, or choose nothing");
+      require(scene.numerics.method == Numerics::Method::finite_elements,
+              name + ": finite differences know one grid only; choose nothing, or Method = finite elements");
+      require(
+        !scene.has_explicit_loop() && scene.numerics.large_equilibrium == Numerics::LargeEquilibrium::newton,
+        name +
+          ": explicit steps and dynamic relaxation do not know nodes that follow others; choose nothing");
+      require(scene.numerics.kept_nodes.empty(),
+              name + ": Numerics/Kept nodes needs a mesh that stays; choose nothing, or leave it empty");
+      require(scene.mesh.refinements + adaptive.max_divisions <= 10,
+              "Mesh/Refinements = " + std::to_string(scene.mesh.refinements) +
+                " and Adaptive/Largest number of divisions = " + std::to_string(adaptive.max_divisions) +
+                " are more than 10 together; take fewer");
+    }
+
     void check_explicit(const Scene &scene)
     {
       require(
@@ -201,6 +230,7 @@ namespace Cautery
     check_finite_differences(scene);
     check_condensation(scene);
     check_explicit(scene);
+    check_adaptive(scene);
     check_in_plane(scene);
     require(!scene.output.reactions || scene.effects.has_deformation(),
             "Output/Reactions = on, but there is none without deformation; switch one of both");

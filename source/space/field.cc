@@ -77,6 +77,11 @@ namespace Cautery
     inside = cell_rule(body, degree, numerical_method);
     faces  = face_rule(body, degree, numerical_method);
     find_face_shapes();
+    hanging_constraints.reinit(locally_relevant);
+    if (body.triangulation().has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(dofs, hanging_constraints);
+    hanging_constraints.close();
+    hanging_elimination.reinit(hanging_constraints, owned(), communicator());
   }
 
   template <int dim>

@@ -104,13 +104,50 @@ namespace Cautery
   template <int dim>
   Mesh<dim>::Mesh(const MeshSettings &settings, const MPI_Comm communicator)
     : mpi_communicator(communicator)
+    , adaptive(settings.adaptive.is_on())
+    , coarsest(settings.refinements)
     , label(settings.shape == MeshSettings::Shape::box ? "box" : "`" + settings.file_name + "`")
   {
-    std::unique_ptr<Triangulation<dim>> whole;
-    on_root(communicator, [&]() { whole = make_whole(settings); });
-    distribute(std::move(whole));
-    share_description();
+    std::unique_ptr<Triangulation<dim>> all;
+    on_root(communicator, [&]() { all = make_whole(settings); });
+    distribute(std::move(all));
+    finish();
+    AssertThrow(
+      !adaptive || !simplices(),
+      ExcInput("Mesh/Adaptive/Follow needs hexahedra (in two dimensions quadrilaterals), but the mesh " +
+               label + " has simplices; choose nothing"));
+  }
 
+  template <int dim>
+  Mesh<dim>::Mesh(const Mesh &mesh, const std::vector<CellChange> &changes)
+    : mpi_communicator(mesh.mpi_communicator)
+    , adaptive(true)
+    , coarsest(mesh.coarsest)
+    , label(mesh.label)
+    , region_names(mesh.region_names)
+    , surface_names(mesh.surface_names)
+    , box(mesh.box)
+    , mended(mesh.mended)
+  {
+    std::map<CellNumber, char> own;
+    for (const auto &cell : mesh.cells->active_cell_iterators())
+      if (cell->is_locally_owned() && changes[cell->active_cell_index()] != CellChange::keep)
+        own[cell_order<dim>(cell)] = static_cast<char>(changes[cell->active_cell_index()]);
+    auto                                gathered = Utilities::MPI::gather(mpi_communicator, own, root);
+    std::unique_ptr<Triangulation<dim>> all;
+    on_root(mpi_communicator, [&]() {
+      for (auto &part : gathered)
+        own.merge(part);
+      all = adapt_whole(mesh, own);
+    });
+    distribute(std::move(all));
+    finish();
+  }
+
+  template <int dim>
+  void Mesh<dim>::finish()
+  {
+    share_description();
     if (simplices())
       linear_mapping = std::make_unique<MappingFE<dim>>(FE_SimplexP<dim>(1));
     else
@@ -137,8 +174,6 @@ namespace Cautery
     auto whole = std::make_unique<Triangulation<dim>>();
     whole->create_triangulation(plain.vertices, plain.cells, boundary_faces(plain));
     whole->refine_global(settings.refinements);
-    vertices = whole->n_used_vertices();
-
     const unsigned int n_processes = Utilities::MPI::n_mpi_processes(mpi_communicator);
     AssertThrow(whole->n_active_cells() >= n_processes,
                 ExcInput("The mesh " + label + " has " + std::to_string(whole->n_active_cells()) +
@@ -148,14 +183,41 @@ namespace Cautery
   }
 
   template <int dim>
-  void Mesh<dim>::distribute(std::unique_ptr<Triangulation<dim>> whole)
+  std::unique_ptr<Triangulation<dim>> Mesh<dim>::adapt_whole(const Mesh                       &mesh,
+                                                             const std::map<CellNumber, char> &changes)
   {
+    auto result = std::make_unique<Triangulation<dim>>();
+    result->copy_triangulation(mesh.whole ? *mesh.whole : *mesh.cells);
+    for (const auto &cell : result->active_cell_iterators())
+      {
+        const auto change = changes.find(cell_order<dim>(cell));
+        if (change == changes.end())
+          continue;
+        if (static_cast<CellChange>(change->second) == CellChange::refine)
+          cell->set_refine_flag();
+        else if (static_cast<unsigned int>(cell->level()) > coarsest)
+          cell->set_coarsen_flag();
+      }
+    result->prepare_coarsening_and_refinement(); // takes flags away, and sets others
+    has_changed = std::any_of(result->begin_active(), result->end(), [](const auto &cell) {
+      return cell.refine_flag_set() || cell.coarsen_flag_set();
+    });
+    result->execute_coarsening_and_refinement();
+    return result;
+  }
+
+  template <int dim>
+  void Mesh<dim>::distribute(std::unique_ptr<Triangulation<dim>> new_whole)
+  {
+    if (new_whole)
+      vertices = new_whole->n_used_vertices();
     const unsigned int n_processes = Utilities::MPI::n_mpi_processes(mpi_communicator);
     if (n_processes == 1)
       {
-        cells = std::move(whole);
+        cells = std::move(new_whole);
         return;
       }
+    whole = std::move(new_whole);
 
     using Description = TriangulationDescription::Description<dim, dim>;
     std::map<unsigned int, Description> parts;
@@ -165,7 +227,8 @@ namespace Cautery
         for (unsigned int process = 0; process < n_processes; ++process)
           parts[process] = TriangulationDescription::Utilities::create_description_from_triangulation(
             *whole, mpi_communicator, TriangulationDescription::Settings::default_setting, process);
-        whole.reset();
+        if (!adaptive)
+          whole.reset();
       }
     Description part = Utilities::MPI::some_to_some(mpi_communicator, parts).at(root);
     part.comm        = mpi_communicator; // which does not travel
@@ -181,6 +244,7 @@ namespace Cautery
     region_names  = Utilities::MPI::broadcast(mpi_communicator, region_names, root);
     surface_names = Utilities::MPI::broadcast(mpi_communicator, surface_names, root);
     mended        = Utilities::MPI::broadcast(mpi_communicator, mended, root);
+    has_changed   = Utilities::MPI::broadcast(mpi_communicator, has_changed, root);
     vertices      = Utilities::MPI::broadcast(mpi_communicator, vertices, root);
     box = BoundingBox<dim>(Utilities::MPI::broadcast(mpi_communicator, box.get_boundary_points(), root));
   }

@@ -65,7 +65,7 @@ namespace Cautery
       {
         const Cell &cell = box->second;
         if (const auto unit = unit_place(mesh, cell, place))
-          if (!found || cell_number<dim>(cell) < cell_number<dim>(found->cell))
+          if (!found || cell_order<dim>(cell) < cell_order<dim>(found->cell))
             found = Location{cell, *unit};
       }
     return found;
@@ -82,7 +82,7 @@ namespace Cautery
       {
         results[p].location = find_among_own(places[p]);
         if (results[p].location)
-          own_numbers[p] = cell_number<dim>(results[p].location->cell);
+          own_numbers[p] = cell_order<dim>(results[p].location->cell);
       }
     Utilities::MPI::min(own_numbers, mesh.communicator(), lowest_numbers);
     for (unsigned int p = 0; p < places.size(); ++p)

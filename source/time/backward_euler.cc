@@ -106,6 +106,8 @@ namespace Cautery
     complete(free_rate);
     equation.limit(step, state, system, free_rate);
     (state.*equation.unknown()).add(step.length(), free_rate);
+    if (equation.damping() != nullptr || equation.inertia() != nullptr)
+      error.record(step, free_rate, equation);
     if (equation.rate() != nullptr)
       state.*equation.rate() = free_rate;
     prescribed_met = !equation.prescription_changes();
@@ -344,6 +346,7 @@ namespace Cautery
           rate.reinit(state.*equation.unknown());
       }
     archive.nodal("rate", rate);
+    error.archive(archive, state.*equation.unknown());
     archive_solver();
   }
 
@@ -354,6 +357,12 @@ namespace Cautery
         set_solver();
       solver.archive(archive);
     });
+  }
+
+  void BackwardEulerBalance::add_time_error(std::map<std::string, TimeError> &errors) const
+  {
+    if (error.total().steps > 0)
+      errors[name()] = error.total();
   }
 
   BackwardEuler::BackwardEuler(const TimeSettings           &settings,
@@ -386,6 +395,14 @@ namespace Cautery
     std::map<std::string, double> result;
     for (const auto &balance : balances)
       result["linear_iterations_" + balance->name()] = balance->iterations();
+    return result;
+  }
+
+  std::map<std::string, TimeError> BackwardEuler::time_errors() const
+  {
+    std::map<std::string, TimeError> result;
+    for (const auto &balance : balances)
+      balance->add_time_error(result);
     return result;
   }
 } // namespace Cautery

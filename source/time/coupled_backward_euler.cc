@@ -221,6 +221,15 @@ namespace Cautery
     return {{"linear_iterations_coupled", static_cast<double>(n_iterations)}};
   }
 
+  template <int dim>
+  std::map<std::string, TimeError> CoupledBackwardEuler<dim>::time_errors() const
+  {
+    std::map<std::string, TimeError> result;
+    heat.add_time_error(result);
+    deformation.add_time_error(result);
+    return result;
+  }
+
   template class CoupledBackwardEuler<2>;
   template class CoupledBackwardEuler<3>;
 } // namespace Cautery

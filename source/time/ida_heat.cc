@@ -39,7 +39,7 @@ namespace Cautery
     , solver(solver_of(heat))
     , mass_solver(solver_of(heat))
   {
-    for (auto *vector : {&y, &y_dot})
+    for (auto *vector : {&y, &y_dot, &local_error})
       {
         vector->reinit(second_order ? 2 : 1);
         for (unsigned int b = 0; b < vector->n_blocks(); ++b)
@@ -122,22 +122,30 @@ namespace Cautery
         result.block(0) -= now.block(1);
       }
 
-    // prescribed entries: T - g = 0 and V - g' = 0
-    const auto replace = [this](Vector &block, const Vector &is, const Vector &should) {
-      heat.elimination().condense(block);
-      product = is;
-      product -= should;
-      heat.elimination().keep_constrained(product);
-      block += product;
-    };
+    // constrained entries: T - g = 0 and V - g' = 0
+    heat.elimination().condense(balance);
     boundary = now.block(0);
     heat.prescribe(time, boundary);
-    replace(result.block(0), now.block(0), boundary);
+    replace_constrained(now.block(0), boundary, result.block(0));
     if (second_order)
       {
         prescribed_rate(time, boundary);
-        replace(result.block(1), now.block(1), boundary);
+        product = now.block(1);
+        heat.elimination().distribute(product); // hanging nodes follow free ones too
+        heat.elimination().keep_constrained(product);
+        boundary += product;
+        replace_constrained(now.block(1), boundary, result.block(1));
       }
+  }
+
+  template <int dim>
+  void IdaHeat<dim>::replace_constrained(const Vector &is, const Vector &should, Vector &residual)
+  {
+    product = is;
+    product -= should;
+    heat.elimination().keep_constrained(product);
+    heat.elimination().clear(residual);
+    residual += product;
   }
 
   template <int dim>
@@ -158,8 +166,7 @@ namespace Cautery
   {
     Vector fixed = right_hand_side.block(0); // prescribed entries of the solution
     heat.elimination().keep_constrained(fixed);
-    const bool moved = fixed.linfty_norm() > 0.;
-    Vector     lag   = heat.nodes().vector(); // alpha dT - dV
+    Vector lag = heat.nodes().vector(); // alpha dT - dV
     if (second_order)
       {
         // V = alpha T - lag turns the second row into (K + alpha C + alpha^2 M) T = b + (alpha M + C) lag
@@ -167,8 +174,9 @@ namespace Cautery
         heat.elimination().keep_constrained(lag);
         lag.sadd(-1., alpha, fixed);
         Vector free = right_hand_side.block(0);
-        heat.elimination().condense(free);
+        heat.elimination().clear(free);
         lag += free;
+        heat.nodes().hanging().add_dependence(lag);
         force = right_hand_side.block(1);
         heat.damping()->full.vmult(product, lag);
         force += product;
@@ -177,7 +185,8 @@ namespace Cautery
       }
     else
       force = right_hand_side.block(0);
-    if (moved)
+    heat.nodes().hanging().add_dependence(fixed);
+    if (fixed.linfty_norm() > 0.)
       {
         heat.stiffness().full.vmult(product, fixed);
         force -= product;
@@ -211,6 +220,7 @@ namespace Cautery
     prescribed_rate(time, boundary);
     boundary -= y.block(1);
     heat.elimination().keep_constrained(boundary);
+    heat.nodes().hanging().distribute(boundary);
     heat.inertia()->full.vmult(product, boundary);
     force -= product;
     heat.elimination().condense(force);
@@ -255,10 +265,8 @@ namespace Cautery
     prescribed_rate(time, boundary);
     if (second_order)
       {
-        Vector free = y.block(1);
-        heat.elimination().condense(free);
-        y.block(1) = boundary;
-        y.block(1) += free;
+        heat.elimination().distribute(y.block(1));
+        y.block(1) += boundary;
         y_dot.block(0) = y.block(1);
       }
     // the highest derivative from the balance
@@ -312,6 +320,9 @@ namespace Cautery
     if (second_order)
       state.temperature_rate = y.block(1);
     ++state.step;
+    ida.local_error(local_error);
+    heat.elimination().clear(local_error.block(0)); // prescribed temperatures do not err
+    error.add(local_error.block(0).linfty_norm());
     fresh = state.time >= switch_time - same_time * settings.end && switch_time < settings.end;
   }
 
@@ -319,6 +330,7 @@ namespace Cautery
   void IdaHeat<dim>::archive(Archive &archive, const State &)
   {
     archive.shared("linear iterations", n_iterations);
+    error.archive(archive);
     ida.archive(archive);
     fresh = fresh || archive.restores();
   }
@@ -332,6 +344,12 @@ namespace Cautery
       {"residual_evaluations", static_cast<double>(counts.residual_evaluations)},
       {"jacobian_set_ups", static_cast<double>(counts.jacobian_set_ups)},
       {"repeated_steps", static_cast<double>(counts.error_test_failures + counts.convergence_failures)}};
+  }
+
+  template <int dim>
+  std::map<std::string, TimeError> IdaHeat<dim>::time_errors() const
+  {
+    return {{heat.name(), error}};
   }
 
   template class IdaHeat<2>;

@@ -276,6 +276,14 @@ namespace Cautery
     archive.shared("last step", total.last_step);
   }
 
+  void IdaSolver::local_error(BlockVector &error) const
+  {
+    Assert(memory, ExcMessage("restart() comes first."));
+    check(IDAGetEstLocalErrors(memory->ida.get(), make_nvector_view(error, memory->context.get())),
+          "IDAGetEstLocalErrors");
+    error *= 1. / (total.last_order + 1.);
+  }
+
   void IdaSolver::check(const int flag, const std::string &function) const
   {
     if (flag >= 0)

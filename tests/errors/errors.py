@@ -14,6 +14,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+import adaptive_cases
 import effect_cases
 import large_cases
 import mesh_cases
@@ -23,7 +24,8 @@ import study_cases
 from case import write_files
 
 GROUPS = {"values": scene_cases.VALUES, "names": scene_cases.NAMES, "mesh": mesh_cases.MESH,
-          "effects": effect_cases.EFFECTS, "time": effect_cases.TIME, "large": large_cases.LARGE, "command_line": run_cases.COMMAND_LINE,
+          "effects": effect_cases.EFFECTS, "time": effect_cases.TIME, "large": large_cases.LARGE,
+          "adaptive": adaptive_cases.ADAPTIVE, "command_line": run_cases.COMMAND_LINE,
           "accepted": run_cases.ACCEPTED, "study": study_cases.STUDY, "numerical": run_cases.NUMERICAL}
 
 

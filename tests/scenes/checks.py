@@ -375,3 +375,29 @@ def explicit_bricks(outcome):
     heat = outcome.summary["balance"]
     near(heat["sources_J"], 2e6 * 1e-6 * 0.0075, 1e-9)
     assert heat["stored_J"] > 0
+
+
+def adaptive_heat(outcome):
+    adaption = outcome.summary["adaption"]
+    assert adaption["times"] > 0 and adaption["last_number_of_cells"] < adaption["largest_number_of_cells"] <= 440, adaption
+    near(outcome.summary["balance"]["sources_J"], 2e7 * math.pi * 1e-6 * 20, 2e-3)
+    near(outcome.summary["balance"]["metabolism_J"], 33800 * 2e-4 * 100, 1e-9)
+    same(outcome, "above", "below")
+    assert outcome.at(20, "end")["temperature_K"] > outcome.at(20, "above")["temperature_K"] + 5
+
+
+def adaptive_displacement(outcome):
+    assert 27 < outcome.summary["adaption"]["last_number_of_cells"] <= 300
+    balances(outcome, 1, [0.1, 0, 0])
+    # push and support are symmetric about y = 5 mm
+    for axis, sign in zip("xyz", (1, -1, 1)):
+        name = f"displacement_{axis}_m"
+        near(outcome.at(1, "right")[name], sign * outcome.at(1, "left")[name], 1e-7, 1e-13)
+
+
+def adaptive_both(outcome):
+    adaption = outcome.summary["adaption"]
+    assert adaption["times"] > 0 and 27 < adaption["last_number_of_cells"] < 27 * 64, adaption
+    near(outcome.summary["balance"]["sources_J"], 0.5 * 10 * share_within(5e-3, 2e-3) ** 3, 1e-2)
+    same(outcome, "one", "other", "xyz", -1)
+    hookes_law(outcome)

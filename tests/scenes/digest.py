@@ -74,7 +74,7 @@ def text(outcome):
         summary["balance"] = balance(summary["balance"])
     if outcome["Time/Integrator"] == "IDA":
         del summary["time_steps"]
-    lines = [line for key in ("title", "status", "effects", "unknowns", "time_steps", "extremes", "ablation", "balance")
+    lines = [line for key in ("title", "status", "effects", "unknowns", "time_steps", "extremes", "ablation", "adaption", "balance")
              if key in summary for line in flat(key, summary[key])]
     if outcome["Output/Every step"] == "on":
         lines += re.findall(r"^t = .*", re.sub(r"  \d+:\d\d left", "", outcome.log), re.M)

@@ -35,7 +35,20 @@ def expected_columns(outcome):
 def expected_arrays(outcome):
     arrays = {"displacement_m" if column.startswith("displacement") else column
               for column in expected_columns(outcome)[5:]} - {"damage"}
+    if outcome.is_on("Heat"):
+        arrays.add("temperature_error_indicator_K_per_m")
+    if outcome.is_on("Deformation"):
+        arrays.add("displacement_error_indicator")
     return arrays | {"region"}
+
+
+def expected_errors(outcome):
+    """Of steps: nothing is told by explicit ones, nor by an equilibrium."""
+    heat, deformation = outcome["Effects/Heat"] != "off", outcome["Effects/Deformation"]
+    stepped = {"heat": heat and outcome["Time/Integrator"] != "explicit", "deformation": deformation == "inertia"}
+    present = {"time": {name for name, is_there in stepped.items() if is_there},
+               "space": {name for name, is_there in {"temperature_gradient": heat, "displacement_gradient": deformation != "off"}.items() if is_there}}
+    return {name: entries for name, entries in present.items() if entries}
 
 
 def check(outcome):
@@ -46,6 +59,8 @@ def check(outcome):
     assert len(outcome.arrays) == (len(times) if outcome["Output/Fields"] == "on" else 0), outcome.arrays
     for arrays in outcome.arrays:
         assert arrays == expected_arrays(outcome), arrays
+    errors = {name: set(entries) for name, entries in summary["errors"].items() if name in ("time", "space")}
+    assert errors == expected_errors(outcome), errors
     assert ("balance" in summary) == outcome.is_on("Heat")
     assert ("ablation" in summary) == outcome.is_on("Damage")
     extremes = {name.split("_")[0] for name in summary["extremes"]} - {"ln"}

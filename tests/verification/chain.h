@@ -178,4 +178,5 @@ namespace Verification
   void balance(Checks &checks);
   void stencils(Checks &checks);
   void condensation(Checks &checks);
+  void time_errors(Checks &checks);
 } // namespace Verification

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Observed orders of convergence against manufactured solutions, printed as the tables of
 // doc/verification.md:
-//   convergence space | time
-// Exit status 0 if every order is within 0.1 of theory.
+//   convergence space | time | indicator
+// Exit status 0 if every order is within 0.1 of theory, and the error indicator within a fifth of the error.
 #include "manufactured.h"
 #include "run.h"
 
@@ -42,8 +42,9 @@ namespace
 
   struct Result
   {
-    Errors temperature;
-    Errors displacement;
+    Errors         temperature;
+    Errors         displacement;
+    GradientErrors indicated;
   };
 
   Result solve(const Manufactured &exact, const Choice &choice)
@@ -64,6 +65,7 @@ namespace
       }
     const Run run(read_scene(VERIFICATION_SCENES "/manufactured.prm", overrides));
     Result    result;
+    result.indicated = run.gradient_errors();
     if (!exact.temperature.empty())
       result.temperature = errors(run.temperature(), run.end().temperature, exact.temperature, choice.end);
     if (!exact.displacement.empty())
@@ -153,6 +155,42 @@ namespace
     return right;
   }
 
+  /// Indicated error over true error, of the gradients. It must come closer to one and end within a fifth.
+  bool indicator_row(const Cells cells, const unsigned int degree)
+  {
+    const Manufactured exact = wave_in_space(Model::expansion);
+    const auto         counts =
+      degree == 1 ? std::vector<unsigned int>{4, 8, 16} : std::vector<unsigned int>{2, 4, 8};
+    std::vector<double> temperature, displacement;
+    for (const unsigned int count : counts)
+      {
+        const Result result = solve(exact, {cells, degree, count});
+        temperature.push_back(result.indicated.at("temperature").error / result.temperature.h1);
+        displacement.push_back(result.indicated.at("displacement").error / result.displacement.h1);
+      }
+    const auto print = [&](const std::string &field, const std::vector<double> &ratios) {
+      std::cout << "| " << name(cells) << " | " << degree << " | " << field << " |" << std::fixed
+                << std::setprecision(2);
+      for (const double ratio : ratios)
+        std::cout << ' ' << ratio << " |";
+      const bool right = std::abs(ratios.back() - 1.) <= 0.2 &&
+                         std::abs(ratios.back() - 1.) <= std::abs(ratios.front() - 1.) + 0.02;
+      std::cout << (right ? "" : " WRONG") << std::endl;
+      return right;
+    };
+    return print("T", temperature) & print("u", displacement);
+  }
+
+  bool indicator()
+  {
+    std::cout << "| cells | degree | field | coarse | middle | fine |\n|---|---|---|---|---|---|\n";
+    bool right = true;
+    for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra})
+      for (const unsigned int degree : {1, 2})
+        right &= indicator_row(cells, degree);
+    return right;
+  }
+
   bool backward_euler_rows(const Model model, const Cells cells)
   {
     const unsigned int        degree = has_deformation(model) ? 2 : 1;
@@ -225,7 +263,7 @@ int main(int argc, char **argv)
   try
     {
       const std::string what = argc > 1 ? argv[1] : "";
-      return (what == "time" ? time() : space()) ? 0 : 1;
+      return (what == "time" ? time() : what == "indicator" ? indicator() : space()) ? 0 : 1;
     }
   catch (const std::exception &exception)
     {

@@ -14,5 +14,6 @@ int main(int argc, char **argv)
                     {"motion", motion},
                     {"balance", balance},
                     {"stencils", stencils},
-                    {"condensation", condensation}});
+                    {"condensation", condensation},
+                    {"time_errors", time_errors}});
 }

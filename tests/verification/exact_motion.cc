@@ -43,6 +43,10 @@ namespace Verification
                           outcome.end(probe, "displacement_z_m"),
                           fall,
                           1e-9 * std::abs(fall));
+            checks.near(name + ", estimated error, m",
+                        outcome.summary.at("errors").at("time").at("deformation").at("sum_over_steps_m"),
+                        gravity * step * step * n / 2.,
+                        1e-9 * std::abs(fall));
             checks.near(name + ", stress_zz, Pa", outcome.end("middle", "stress_zz_Pa"), 0., 1e-6);
           }
     }

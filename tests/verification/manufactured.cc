@@ -227,4 +227,25 @@ namespace Verification
       thermal_deformation(phi, 1., s.value(), theta, result);
     return result;
   }
+
+  Manufactured straight(const Model model)
+  {
+    Manufactured result;
+    choose_effects(model, result.scene);
+    const Product s     = {{{{"1", "0", "0"}, {"1", "0", "0"}, {"1 + z", "1", "0"}}}};
+    const Product phi   = {{{{"1", "0", "0"}, {"1", "0", "0"}, {"(1 + z)^3/6", "(1 + z)^2/2", "1 + z"}}}};
+    const double  start = relaxes(model) ? 0. : 0.4; // the rate starts from zero and jumps with the source
+    const double  lag   = relaxes(model) ? delay : 0.;
+    const std::string theta = "(t + " + to_text(start) + ")";
+    heat(s,
+         theta,
+         "(" + to_text(effective_capacity(model)) + " + " + times(perfusion, theta) + ")",
+         "(t + " + number(start - lag) + ")",
+         result);
+    result.scene.push_back(
+      {"Initial state/Temperature", number(reference) + " + " + times(start, s.value())});
+    if (has_deformation(model))
+      thermal_deformation(phi, 1., s.value(), theta, result);
+    return result;
+  }
 } // namespace Verification

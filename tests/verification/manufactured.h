@@ -60,4 +60,7 @@ namespace Verification
   /** Exact in space from degree 2 on (heat alone: from 1 on), theta = sin(2 t): all that is wrong comes from
    * the steps in time. */
   Manufactured wave_in_time(const Model model);
+
+  /** Exact in space as wave_in_time and in time as wave_in_space: nothing may be wrong, on any mesh. */
+  Manufactured straight(const Model model);
 } // namespace Verification

@@ -27,7 +27,11 @@ namespace Verification
       problem->complete(state);
     }
 
-    const State    &end() const { return state; }
+    const State   &end() const { return state; }
+    GradientErrors gradient_errors() const
+    {
+      return Cautery::gradient_errors(body.nodes, body.tissues, problem->displacement(), state);
+    }
     const Field<3> &temperature() const { return body.nodes; }
     const Field<3> &displacement() const { return *problem->displacement(); }
 

@@ -8,7 +8,7 @@ import tempfile
 
 project, build = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 programs = build / "tests" / "verification"
-groups = ["heat", "waves", "damage", "deformation", "motion", "balance"]
+groups = ["heat", "waves", "damage", "deformation", "motion", "balance", "time_errors"]
 line = re.compile(r"  (right|WRONG)  (.*), error (\S+) of (\S+)$")
 
 
@@ -32,6 +32,7 @@ def exact():
 tables = {
     "space": output(programs / "convergence", "space"),
     "time": output(programs / "convergence", "time"),
+    "indicator": output(programs / "convergence", "indicator"),
     "exact": exact(),
 }
 page = project / "doc" / "verification.md"

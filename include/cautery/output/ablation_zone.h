@@ -35,7 +35,6 @@ namespace Cautery
                   const types::material_id       region);
 
     Point<dim>                           centre;
-    const Field<dim>                    &nodes;
     std::vector<Part>                    parts;
     std::map<types::material_id, double> dead;
     double                               largest = 0.;

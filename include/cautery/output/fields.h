@@ -11,8 +11,8 @@
 namespace Cautery
 {
   /**
-   * solution.pvd and a .vtu file for each output time: what is on, the regions, and the displacement as a
-   * vector.
+   * solution.pvd and a .vtu file for each output time: what is on, the regions, the errors of gradients in
+   * each cell, and the displacement as a vector.
    */
   template <int dim>
   class Fields : public Observer<dim>

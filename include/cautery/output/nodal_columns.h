@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/output/space_errors.h>
 #include <cautery/physics/mechanical_fields.h>
 
 #include <string>
@@ -18,7 +19,8 @@ namespace Cautery
     const Field<dim>            &nodes;
     const Field<dim>            *displacement = nullptr; ///< none: deformation is off
     const MechanicalFields<dim> *mechanical   = nullptr;
-    const Vector *unbalanced_forces           = nullptr; ///< see Problem; only where reactions are written
+    const Vector         *unbalanced_forces   = nullptr; ///< see Problem; only where reactions are written
+    const GradientErrors *gradient_errors     = nullptr;
   };
 
   /**

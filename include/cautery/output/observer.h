@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cautery/output/nodal_columns.h>
+#include <cautery/space/points.h>
 
 #include <string>
 #include <utility>
@@ -20,6 +21,9 @@ namespace Cautery
 
     /** What its time counts for in the ledger, e.g. "output: probes". */
     virtual std::string name() const = 0;
+
+    /** The mesh has been adapted: these replace what it was made with. Collective. */
+    virtual void use_mesh(const Field<dim> &, const PointLocator<dim> &, const BoundaryMap<dim> &) {}
 
     /** Collective. */
     virtual void observe(const Snapshot<dim> &snapshot) = 0;

@@ -25,6 +25,9 @@ namespace Cautery
     void write_to(const std::string &file_name) { file.name_it(file_name); }
 
     std::string name() const override { return "output: probes"; }
+    void        use_mesh(const Field<dim>        &new_nodes,
+                         const PointLocator<dim> &locator,
+                         const BoundaryMap<dim>  &boundaries) override;
     void        observe(const Snapshot<dim> &snapshot) override;
     void        archive(Archive &archive) override { file.archive("probes", archive); }
 
@@ -34,7 +37,7 @@ namespace Cautery
     double value(const unsigned int probe, const Vector &ghosted) const;
 
     const std::vector<Probe>                                         probes;
-    const Field<dim>                                                &nodes;
+    const Field<dim>                                                *nodes;
     std::vector<std::optional<typename PointLocator<dim>::Location>> locations;
     GrowingFile                                                      file;
   };

@@ -22,6 +22,9 @@ namespace Cautery
     void write_to(const std::string &file_name) { file.name_it(file_name); }
 
     std::string name() const override { return "output: reactions"; }
+    void        use_mesh(const Field<dim>        &new_nodes,
+                         const PointLocator<dim> &locator,
+                         const BoundaryMap<dim>  &boundaries) override;
     void        observe(const Snapshot<dim> &snapshot) override;
     void        archive(Archive &archive) override { file.archive("reactions", archive); }
 
@@ -31,9 +34,11 @@ namespace Cautery
       std::string                          name;
       std::vector<types::global_dof_index> nodes; ///< the process's own
     };
+    void find(const BoundaryMap<dim> &boundaries);
     void add(const std::string &name, const std::set<types::global_dof_index> &held);
 
-    const Field<dim>                 &nodes;
+    const Scene                      &scene;
+    const Field<dim>                 *nodes;
     std::vector<Support>              supports;
     std::set<types::global_dof_index> taken;
     GrowingFile                       file;

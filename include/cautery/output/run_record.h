@@ -4,7 +4,9 @@
 #include <cautery/base/cost.h>
 #include <cautery/output/extremes.h>
 #include <cautery/output/forecast.h>
+#include <cautery/output/space_errors.h>
 #include <cautery/physics/heat_balance.h>
+#include <cautery/physics/time_error.h>
 #include <cautery/scene/scene.h>
 
 #include <map>
@@ -32,6 +34,8 @@ namespace Cautery
     std::map<std::string, double>                  statistics;
     Extremes                                       extremes;
     std::optional<HeatTotals>                      balance;
+    std::map<std::string, TimeError>               time_errors; ///< by balance
+    SpaceErrors                                    space_errors;
 
     struct Ablation
     {
@@ -47,6 +51,15 @@ namespace Cautery
       std::map<std::string, Region> regions;     ///< by number
     };
     std::optional<Ablation> ablation;
+
+    /** Of the mesh to the solution. */
+    struct Adaption
+    {
+      unsigned int times      = 0; ///< that the mesh has been changed in the course of the run
+      unsigned int most_cells = 0;
+      unsigned int last_cells = 0;
+    };
+    std::optional<Adaption> adaption;
 
     double                          wall_seconds      = 0.;
     double                          processor_seconds = 0.; ///< of the process that took most

@@ -62,6 +62,9 @@ namespace Cautery
      */
     virtual void load(const Step &step, const State &state, Vector &force) const = 0;
 
+    /** Does it jump strictly between these times (s)? */
+    virtual bool jumps_within(const double /*from*/, const double /*to*/) const { return false; }
+
     /** Do the matrices depend on the state? */
     virtual bool changes() const = 0;
     /** Do they, or the load, depend on the balance's own unknown, so that a step must be repeated? */

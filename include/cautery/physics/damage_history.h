@@ -26,6 +26,9 @@ namespace Cautery
     /** Sets "no damage" at the start of a run. */
     void start(State &state);
 
+    /** Goes on from a state in the course of a run. */
+    void go_on(const State &state) { last_ln_rates = ln_rates(state); }
+
     /** Adds the damage of the step that has just brought @p state to its time, of the length @p duration (s).
      */
     void advance(const double duration, State &state);

@@ -48,7 +48,11 @@ namespace Cautery
     bool               prescription_changes() const override { return prescribed.depends_on_time(); }
     void               prescribe(const double time, Vector &x) const override { prescribed.set(time, x); }
     void               load(const Step &step, const State &state, Vector &force) const override;
-    bool               changes() const override
+    bool               jumps_within(const double from, const double to) const override
+    {
+      return outside.jumps_within(from, to);
+    }
+    bool changes() const override
     {
       return properties_change || perfusion_stops || scene.effects.metabolism == Effects::Metabolism::q10;
     }

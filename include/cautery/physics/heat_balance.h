@@ -17,8 +17,11 @@ namespace Cautery
     double blood      = 0.; ///< carried away
     double boundary   = 0.; ///< lost through surfaces
     double expansion  = 0.; ///< consumed by the change of volume (two-way coupling)
+    double adaption   = 0.; ///< made where merged cells cannot hold the temperature that their parts had
 
-    double error() const { return sources + metabolism - stored - blood - boundary - expansion; }
+    HeatTotals &operator+=(const HeatTotals &other);
+
+    double error() const { return sources + metabolism + adaption - stored - blood - boundary - expansion; }
     /** The error over all heat that was moved. */
     double relative_error() const;
   };
@@ -28,9 +31,9 @@ namespace Cautery
    * prescribed temperature from the balance of their own nodes. With backward Euler they close to the
    * tolerance of the linear solver; with IDA to the accuracy of its steps.
    *
-   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T, besides the flux that was there at
-   * the start: a body at rest (dT/dt = 0) that makes heat must carry it away, and that flux dies out with
-   * tau. Where tau differs between tissues this holds away from their interfaces only.
+   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T and Y = T at the start, besides what
+   * else flowed then and dies out with tau: a body at rest (dT/dt = 0) that makes heat must carry it away.
+   * Where tau differs between tissues this holds away from their interfaces only.
    */
   template <int dim>
   class HeatBalance
@@ -50,6 +53,11 @@ namespace Cautery
                 const State                      &start,
                 const Rule                        rule);
 
+    /**
+     * Goes on with the books of another mesh, on which the last state was @p last. Collective.
+     */
+    void go_on(HeatBalance &before, const State &last, const State &start);
+
     /** Books the step that has just brought the state to @p now. */
     void record(const Step &step, const State &now);
 
@@ -59,14 +67,16 @@ namespace Cautery
     void archive(Archive &archive);
 
   private:
-    void relax(const double dt, const Vector &before, const Vector &now);
-    void lend(const double dt);
-    void flush(const State &now);
+    double heat_content(const Vector &temperature) const;
+    void   relax(const double dt, const Vector &before, const Vector &now);
+    void   lend(const double dt);
+    void   flush(const State &now);
 
     Heat<dim>                        &heat;
     const ThermoelasticFeedback<dim> *feedback;
     const Rule                        rule;
 
+    HeatTotals                        past; ///< of earlier meshes
     typename HeatLoads<dim>::Received received;
     Vector                            delivered; ///< heat from outside, J per node
     Vector left; ///< delivered + own - stored - conducted, J per node: what surfaces took

@@ -32,8 +32,14 @@ namespace Cautery
      */
     void add_at(const double time, const double within, Vector &force) const;
 
-    /** Adds the load through surfaces alone, without any rate. */
-    void add_surfaces_at(const double time, Vector &force) const;
+    /**
+     * Adds the load without any rate, with those sources that were on in the last recorded step as much as
+     * they were: at the start of a run through surfaces alone.
+     */
+    void add_last(const double time, Vector &force) const;
+
+    /** Goes on where the same loads on another mesh have come to. */
+    void go_on(const HeatLoads &before);
 
     /** Adds the load h T_a N of convection alone, without any rate. */
     void add_convection_at(const double time, Vector &force) const;
@@ -43,6 +49,9 @@ namespace Cautery
 
     /** The tau-weighted load that comes suddenly at @p time; zero where jumps are neglected. */
     void add_jump(const double time, Vector &force) const;
+
+    /** Is a source switched strictly between these times (s)? */
+    bool jumps_within(const double from, const double to) const;
 
     /** All times in (0, end) at which a source is switched (s). */
     std::vector<double> switching_times(const double end) const;

@@ -12,7 +12,7 @@ namespace Cautery
 {
   /**
    * The unknowns of a field whose values a scene prescribes on surfaces, one expression each. Where surfaces
-   * with different values meet, the boundary that the scene names first holds.
+   * with different values meet, the boundary that the scene names first holds. Hanging nodes follow.
    */
   template <int dim>
   class Prescribed
@@ -31,7 +31,8 @@ namespace Cautery
     /** Adds a homogeneous constraint for each of them. */
     void constrain(AffineConstraints<double> &constraints) const;
 
-    /** Sets the locally owned ones in @p x to their values at @p time (s). */
+    /** Sets the locally owned ones in @p x to their values at @p time (s), and hanging nodes to what follows.
+     * Collective. */
     void set(const double time, Vector &x) const;
 
     bool contains(const types::global_dof_index unknown) const { return values.count(unknown) > 0; }

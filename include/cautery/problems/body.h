@@ -22,6 +22,16 @@ namespace Cautery
     {
     }
 
+    /** The same, its mesh adapted. Collective. */
+    Body(const Scene &scene, const Body &body, const std::vector<CellChange> &changes)
+      : mesh(body.mesh, changes)
+      , nodes(mesh, scene.numerics.degree, scene.numerics.method)
+      , tissues(mesh, scene.tissues)
+      , boundaries(mesh, scene.boundaries)
+      , locator(mesh)
+    {
+    }
+
     Mesh<dim>         mesh;
     Field<dim>        nodes; ///< scalar: temperature, damage, and the places of all nodal output
     TissueMap<dim>    tissues;

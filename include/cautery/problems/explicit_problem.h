@@ -18,6 +18,7 @@ namespace Cautery
     ExplicitProblem(const Scene &scene, const Body<3> &body, Cost &cost);
 
     State                              start() override;
+    void                               go_on(State &state, Problem<3> &before, const State &last) override;
     void                               step(State &state, const double stop) override;
     std::optional<MechanicalFields<3>> mechanical_fields(const State &state) const override;
     const Field<3>                    *displacement() const override { return field.get(); }
@@ -28,6 +29,7 @@ namespace Cautery
     void start_anew() override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
+    std::map<std::string, TimeError>               time_errors() const override;
 
   private:
     void make_motion();

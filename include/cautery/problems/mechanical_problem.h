@@ -17,15 +17,20 @@ namespace Cautery
   public:
     MechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
-    State                                          start() override;
-    void                                           step(State &state, const double stop) override;
-    void                                           complete(State &state) override;
+    State start() override;
+    void  go_on(State &state, Problem<dim> &before, const State &last) override;
+    void  step(State &state, const double stop) override;
+    void  complete(State &state) override;
     std::optional<MechanicalFields<dim>>           mechanical_fields(const State &state) const override;
     const Field<dim>                              *displacement() const override { return &field; }
     std::optional<Vector>                          unbalanced_forces(const State &state) override;
     void                                           archive(Archive &archive, const State &state) override;
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
+    std::map<std::string, TimeError>               time_errors() const override
+    {
+      return integrator ? integrator->time_errors() : std::map<std::string, TimeError>();
+    }
 
   private:
     const Scene                &scene;

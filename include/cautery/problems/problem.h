@@ -4,6 +4,7 @@
 #include <cautery/base/cost.h>
 #include <cautery/output/nodal_columns.h>
 #include <cautery/physics/heat_balance.h>
+#include <cautery/physics/time_error.h>
 #include <cautery/problems/body.h>
 
 #include <map>
@@ -25,6 +26,12 @@ namespace Cautery
 
     /** The state at t = 0, with exactly the vectors that the scene's effects need. */
     virtual State start() = 0;
+
+    /**
+     * Goes on from @p state, which is on this problem's nodes, where @p before, the same problem on another
+     * mesh, has come to @p last. Completes what has no history. Collective. Errors: ExcRun.
+     */
+    virtual void go_on(State &state, Problem &before, const State &last) = 0;
 
     /** One step, at most to @p stop (s). Errors: ExcRun; @p state is then that of the last good step. */
     virtual void step(State &state, const double stop) = 0;
@@ -50,6 +57,8 @@ namespace Cautery
     /** By name: temperature, displacement, ... */
     virtual std::map<std::string, types::global_dof_index> unknowns() const   = 0;
     virtual std::map<std::string, double>                  statistics() const = 0;
+    /** See Integrator. */
+    virtual std::map<std::string, TimeError> time_errors() const { return {}; }
   };
 
   /** The problem for the effects of @p scene. Arguments must live as long as it. */

@@ -54,19 +54,22 @@ namespace Cautery
     void resume(const std::string &directory, State &state, Progress &progress);
     void archive(Archive &archive, State &state, Progress &progress);
     /// To the end, or until the forecast is made. False where it has been asked to stop.
-    bool      go(State &state, Progress &progress, const bool only_trial);
-    void      end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
-    void      advance(State &state, const double stop, Progress &progress);
-    void      foretell(const double length, const double seconds, const double time);
-    void      observe(State &state);
-    void      observe_last_good();
-    void      say_step(const State &state, Progress &progress) const; ///< collective
-    RunRecord record(const State &state) const;
-    RunRecord finish(const State       &state,
-                     const std::string &directory,
-                     const std::string &status,
-                     const std::string &message,
-                     Progress          &progress);
+    bool   go(State &state, Progress &progress, const bool only_trial);
+    void   end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
+    void   advance(State &state, const double stop, Progress &progress);
+    double stop_before(const double time) const;
+    void   adapt_mesh(State &state, Progress &progress);
+    std::vector<Observer<dim> *> observers() const;
+    void                         foretell(const double length, const double seconds, const double time);
+    void                         observe(State &state);
+    void                         observe_last_good();
+    void                         say_step(const State &state, Progress &progress) const; ///< collective
+    RunRecord                    record(const State &state) const;
+    RunRecord                    finish(const State       &state,
+                                        const std::string &directory,
+                                        const std::string &status,
+                                        const std::string &message,
+                                        Progress          &progress);
 
     const Scene                                &scene;
     const MPI_Comm                              communicator;
@@ -79,6 +82,11 @@ namespace Cautery
     std::unique_ptr<Safekeeper<dim>>            safekeeper;
     Extremes                                    extremes;
     Forecast                                    forecast;
+    SpaceErrors                                 space_errors;
+    std::map<std::string, double>               past_statistics;    ///< of earlier meshes
+    std::map<std::string, TimeError>            past_time_errors;   ///< the same
+    double                                      next_adaption = 0.; ///< s
+    RunRecord::Adaption                         adaption;
     State                                       last_good;          ///< after the last complete step
     double                                      observed     = -1.; ///< s; when the outputs were last asked
     double                                      loop_seconds = 0.;

@@ -17,13 +17,15 @@ namespace Cautery
     ThermalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
     State                     start() override;
+    void                      go_on(State &state, Problem<dim> &before, const State &last) override;
     void                      step(State &state, const double stop) override;
     std::optional<HeatTotals> heat_totals(const State &state) override;
     void                      archive(Archive &archive, const State &state) override;
     bool                      can_be_archived() const override { return integrator->can_be_archived(); }
     void                      start_anew() override { integrator->start_anew(); }
     std::map<std::string, types::global_dof_index> unknowns() const override;
-    std::map<std::string, double> statistics() const override { return integrator->statistics(); }
+    std::map<std::string, double>    statistics() const override { return integrator->statistics(); }
+    std::map<std::string, TimeError> time_errors() const override { return integrator->time_errors(); }
 
   private:
     const Scene                         &scene;

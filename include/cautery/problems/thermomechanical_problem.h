@@ -18,9 +18,10 @@ namespace Cautery
   public:
     ThermomechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
-    State                                start() override;
-    void                                 step(State &state, const double stop) override;
-    void                                 complete(State &state) override;
+    State start() override;
+    void  go_on(State &state, Problem<dim> &before, const State &last) override;
+    void  step(State &state, const double stop) override;
+    void  complete(State &state) override;
     std::optional<MechanicalFields<dim>> mechanical_fields(const State &state) const override;
     const Field<dim>                    *displacement() const override { return &field; }
     std::optional<Vector>                unbalanced_forces(const State &state) override;
@@ -30,6 +31,7 @@ namespace Cautery
     void start_anew() override { integrator->start_anew(); }
     std::map<std::string, types::global_dof_index> unknowns() const override;
     std::map<std::string, double>                  statistics() const override;
+    std::map<std::string, TimeError> time_errors() const override { return integrator->time_errors(); }
 
   private:
     void make_integrator();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cautery/base/parameters.h>
+#include <cautery/scene/adaptive_settings.h>
 
 namespace Cautery
 {
@@ -36,6 +37,7 @@ namespace Cautery
     std::string         file_name; ///< complete path once the scene is read
     LengthUnit          length_unit = LengthUnit::metre;
     unsigned int        refinements = 0;
+    AdaptiveSettings    adaptive;
 
     void parameters(Parameters &p);
   };

@@ -22,4 +22,15 @@ namespace Cautery
       number = number * GeometryInfo<dim>::max_children_per_cell + child;
     return number;
   }
+
+  /// How often a cell of the first mesh can be divided: `cell_order` leaves room for that.
+  constexpr unsigned int most_divisions = 10;
+
+  /** Numbers that differ between active cells of different sizes too, and are the same for any number of
+   * processes: a cell has that of the first cell that it could be divided into. */
+  template <int dim>
+  CellNumber cell_order(const typename Triangulation<dim>::active_cell_iterator &cell)
+  {
+    return cell_number<dim>(cell) << (dim * (most_divisions - cell->level()));
+  }
 } // namespace Cautery

@@ -3,6 +3,7 @@
 
 #include <cautery/base/linear_algebra.h>
 #include <cautery/scene/numerics.h>
+#include <cautery/space/elimination.h>
 #include <cautery/space/mesh.h>
 
 #include <deal.II/base/quadrature.h>
@@ -51,6 +52,14 @@ namespace Cautery
 
     Numerics::Method method() const { return numerical_method; }
 
+    /**
+     * Nodes on faces and edges of larger cells follow the nodes of these, so that the field is continuous.
+     * Empty but on an adapted mesh.
+     */
+    const AffineConstraints<double> &hanging_nodes() const { return hanging_constraints; }
+    /** The same, to apply to vectors. */
+    const Elimination &hanging() const { return hanging_elimination; }
+
     /** Finite elements: exact for the products of two shape functions on affine cells. Finite differences:
      * the corners. */
     const Quadrature<dim>     &cell_quadrature() const { return inside; }
@@ -91,6 +100,8 @@ namespace Cautery
     const Numerics::Method                 numerical_method;
     DoFHandler<dim>                        dofs;
     IndexSet                               locally_relevant;
+    AffineConstraints<double>              hanging_constraints;
+    Elimination                            hanging_elimination;
     Quadrature<dim>                        inside;
     Quadrature<dim - 1>                    faces;
     std::vector<std::vector<unsigned int>> face_shapes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cautery/scene/mesh_settings.h>
+#include <cautery/space/cell_number.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
@@ -21,6 +22,14 @@ namespace Cautery
   template <int dim>
   struct PlainMesh;
 
+  /// What an adaption does to a cell.
+  enum class CellChange : char
+  {
+    keep,
+    refine, ///< into 2^dim
+    coarsen ///< together with the others that were made of the same cell
+  };
+
   /** The number of faces at which the part of a process ends inside the body; seen on ghost cells only. */
   constexpr types::boundary_id no_surface = numbers::internal_face_boundary_id - 1;
 
@@ -39,11 +48,26 @@ namespace Cautery
     /** Collective. Errors: ExcInput on all processes, see `make_box`, `read_mesh_file` and `tidy`. */
     Mesh(const MeshSettings &settings, const MPI_Comm communicator);
 
+    /**
+     * That mesh, adapted: @p changes by the active cell index of each process, for its own cells. More cells
+     * are refined and fewer coarsened, so that neighbours across a face differ by one division at most, and
+     * none are coarser than the scene's mesh. Hypercubes only, and @p mesh must be adaptive. Collective.
+     */
+    Mesh(const Mesh &mesh, const std::vector<CellChange> &changes);
+
     MPI_Comm                  communicator() const { return mpi_communicator; }
     const Triangulation<dim> &triangulation() const { return *cells; }
     const Mapping<dim>       &mapping() const { return *linear_mapping; }
-    ReferenceCell             reference_cell() const { return cells->get_reference_cells().front(); }
-    bool                      simplices() const { return reference_cell().is_simplex(); }
+    /** Has the adaption that made it changed anything? Cells merge only where all parts of one may. */
+    bool changed() const { return has_changed; }
+
+    /** How often the cell was divided since the scene's mesh. */
+    unsigned int divisions(const typename Triangulation<dim>::active_cell_iterator &cell) const
+    {
+      return cell->level() - coarsest;
+    }
+    ReferenceCell reference_cell() const { return cells->get_reference_cells().front(); }
+    bool          simplices() const { return reference_cell().is_simplex(); }
 
     types::global_cell_index n_cells() const { return cells->n_global_active_cells(); }
     std::size_t              n_vertices() const { return vertices; }
@@ -74,19 +98,26 @@ namespace Cautery
 
   private:
     std::unique_ptr<Triangulation<dim>> make_whole(const MeshSettings &settings);
-    void                                distribute(std::unique_ptr<Triangulation<dim>> whole);
+    std::unique_ptr<Triangulation<dim>> adapt_whole(const Mesh                       &mesh,
+                                                    const std::map<CellNumber, char> &changes);
+    void                                distribute(std::unique_ptr<Triangulation<dim>> new_whole);
+    void                                finish();
     void                                share_description();
     void                                measure_volumes();
 
     MPI_Comm                                  mpi_communicator;
+    const bool                                adaptive;
+    const unsigned int                        coarsest; ///< level: that of the scene's mesh
     std::string                               label;
+    std::unique_ptr<Triangulation<dim>>       whole; ///< of process 0, where it is distributed and adaptive
     std::unique_ptr<Triangulation<dim>>       cells;
     std::unique_ptr<Mapping<dim>>             linear_mapping;
     std::map<types::material_id, std::string> region_names;
     std::map<types::boundary_id, std::string> surface_names;
     std::map<types::material_id, double>      region_volumes;
     BoundingBox<dim>                          box;
-    std::size_t                               vertices = 0;
+    std::size_t                               vertices    = 0;
+    bool                                      has_changed = true;
     std::vector<std::string>                  mended;
   };
 } // namespace Cautery

@@ -5,6 +5,7 @@
 #include <cautery/physics/balance.h>
 #include <cautery/solve/linear_solver.h>
 #include <cautery/time/integrator.h>
+#include <cautery/time/rate_difference.h>
 
 #include <functional>
 #include <memory>
@@ -50,6 +51,8 @@ namespace Cautery
     const Vector &prescribed_rates() const { return prescribed_met ? no_rates : prescribed_rate; }
     unsigned int  iterations() const { return n_iterations; }
     std::string   name() const { return equation.name(); }
+    /** Adds the estimate of the errors of the steps taken, where the balance has rates. */
+    void add_time_error(std::map<std::string, TimeError> &errors) const;
 
   private:
     void          set_solver();
@@ -73,6 +76,7 @@ namespace Cautery
     bool            new_system     = false; ///< which the solver of the iteration has not seen
     bool            prescribed_met = false; ///< does x have its prescribed values already, for good?
     unsigned int    n_iterations   = 0;
+    RateDifference  error;
     Vector          force, rate, prescribed_rate, product;
     Vector          residual, direction; ///< of the iteration
     struct Round
@@ -95,9 +99,10 @@ namespace Cautery
                   const std::vector<Balance *> &balances,
                   Cost                         &cost);
 
-    void                          step(State &state, const double stop) override;
-    void                          archive(Archive &archive, const State &state) override;
-    std::map<std::string, double> statistics() const override;
+    void                             step(State &state, const double stop) override;
+    void                             archive(Archive &archive, const State &state) override;
+    std::map<std::string, double>    statistics() const override;
+    std::map<std::string, TimeError> time_errors() const override;
 
   private:
     const TimeSettings                                &settings;

@@ -28,9 +28,10 @@ namespace Cautery
                          const ThermoelasticFeedback<dim>    &feedback,
                          Cost                                &cost);
 
-    void                          step(State &state, const double stop) override;
-    void                          archive(Archive &archive, const State &state) override;
-    std::map<std::string, double> statistics() const override;
+    void                             step(State &state, const double stop) override;
+    void                             archive(Archive &archive, const State &state) override;
+    std::map<std::string, double>    statistics() const override;
+    std::map<std::string, TimeError> time_errors() const override;
 
   private:
     void prepare(const double new_length, const State &state);

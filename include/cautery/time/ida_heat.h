@@ -25,9 +25,10 @@ namespace Cautery
     void step(State &state, const double stop) override;
     void archive(Archive &archive, const State &state) override;
     /** Only where it starts anew: the history of IDA's steps is not to be had. */
-    bool                          can_be_archived() const override { return fresh; }
-    void                          start_anew() override { fresh = true; }
-    std::map<std::string, double> statistics() const override;
+    bool                             can_be_archived() const override { return fresh; }
+    void                             start_anew() override { fresh = true; }
+    std::map<std::string, double>    statistics() const override;
+    std::map<std::string, TimeError> time_errors() const override;
 
   private:
     void
@@ -38,6 +39,7 @@ namespace Cautery
                         const double       new_alpha) override;
     void solve_jacobian(const BlockVector &right_hand_side, BlockVector &x, const double tolerance) override;
 
+    void replace_constrained(const Vector &is, const Vector &should, Vector &residual);
     void start(State &state);
     void jump(const double time);
     void settle(const double time);
@@ -66,7 +68,8 @@ namespace Cautery
     bool                      fresh        = true;
     unsigned int              n_iterations = 0;
     const State              *properties   = nullptr; ///< the state whose damage stops perfusion
-    BlockVector               y, y_dot;
+    BlockVector               y, y_dot, local_error;
+    TimeError                 error;
     Vector                    force, product, boundary;
   };
 } // namespace Cautery

@@ -90,6 +90,12 @@ namespace Cautery
     /** The local error of the last step in the norm of the error test: 1 is the tolerance. */
     double estimated_error() const;
 
+    /**
+     * The estimated error of the last step alone, by unknown. IDA gives the difference to its prediction; a
+     * step among equal ones errs by 1 / (order + 1) of it, one among growing steps by up to twice as much.
+     */
+    void local_error(BlockVector &error) const;
+
     /** Since construction, over all restarts. */
     const Statistics &statistics() const { return total; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/physics/time_error.h>
 #include <cautery/space/state.h>
 
 #include <map>
@@ -36,5 +37,8 @@ namespace Cautery
 
     /** Counts that a user may want to know: "linear iterations", ... */
     virtual std::map<std::string, double> statistics() const = 0;
+
+    /** What the steps so far err by, by the name of the balance. Nothing where no estimate exists. */
+    virtual std::map<std::string, TimeError> time_errors() const { return {}; }
   };
 } // namespace Cautery
