@@ -115,7 +115,7 @@ namespace Cautery
       rows << snapshot.state.time << ',' << supports[s].name << ',' << sums[3 * s] << ',' << sums[3 * s + 1]
            << ',' << sums[3 * s + 2] << '\n';
     fail_together(nodes->communicator(), [&]() {
-      if (Utilities::MPI::this_mpi_process(nodes.communicator()) == 0)
+      if (Utilities::MPI::this_mpi_process(nodes->communicator()) == 0)
         file.add(rows.str());
     });
   }
