@@ -199,9 +199,9 @@ namespace Cautery
           cell->set_coarsen_flag();
       }
     result->prepare_coarsening_and_refinement(); // takes flags away, and sets others
-    has_changed = std::any_of(result->begin_active(), result->end(), [](const auto &cell) {
-      return cell.refine_flag_set() || cell.coarsen_flag_set();
-    });
+    has_changed = false;
+    for (const auto &cell : result->active_cell_iterators())
+      has_changed = has_changed || cell->refine_flag_set() || cell->coarsen_flag_set();
     result->execute_coarsening_and_refinement();
     return result;
   }
