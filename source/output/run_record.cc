@@ -51,18 +51,22 @@ namespace Cautery
       return json;
     }
 
-    Json balance_json(const HeatTotals &balance)
+    Json balance_json(const RunRecord &record)
     {
-      return {{"sources_J", balance.sources},
-              {"metabolism_J", balance.metabolism},
-              {"stored_J", balance.stored},
-              {"lost_to_blood_J", balance.blood},
-              {"lost_through_boundary_J", balance.boundary},
-              {"consumed_by_expansion_J", balance.expansion},
-              {"made_by_adaption_J", balance.adaption},
-              {"error_J", balance.error()},
-              {"relative_error", balance.relative_error()}};
+      const HeatTotals &balance = *record.balance;
+      Json              json    = {{"sources_J", balance.sources},
+                                   {"metabolism_J", balance.metabolism},
+                                   {"stored_J", balance.stored},
+                                   {"lost_to_blood_J", balance.blood},
+                                   {"lost_through_boundary_J", balance.boundary},
+                                   {"consumed_by_expansion_J", balance.expansion}};
+      if (record.adaption)
+        json["made_by_adaption_J"] = balance.adaption;
+      json["error_J"]        = balance.error();
+      json["relative_error"] = balance.relative_error();
+      return json;
     }
+
     std::string unit(const std::string &balance) { return balance == "heat" ? "K" : "m"; }
 
     Json errors_json(const RunRecord &record)
@@ -222,7 +226,7 @@ namespace Cautery
                           {"largest_number_of_cells", adaption->most_cells},
                           {"last_number_of_cells", adaption->last_cells}};
     if (balance)
-      json["balance"] = balance_json(*balance);
+      json["balance"] = balance_json(*this);
     json["errors"] = errors_json(*this);
     json["cost"]   = cost_json(*this);
     if (forecast)

@@ -107,7 +107,10 @@ namespace Cautery
     equation.limit(step, state, system, free_rate);
     (state.*equation.unknown()).add(step.length(), free_rate);
     if (equation.damping() != nullptr || equation.inertia() != nullptr)
-      error.record(step, free_rate, equation);
+      {
+        const auto scope = cost.measure(name() + ": error of steps");
+        error.record(step, free_rate, equation);
+      }
     if (equation.rate() != nullptr)
       state.*equation.rate() = free_rate;
     prescribed_met = !equation.prescription_changes();

@@ -15,9 +15,11 @@ namespace Cautery
       {
         const double dt = step.length();
         balance.elimination().copy_constrained(rate, last_rate); // prescribed values do not err
-        double difference = 0.;
-        for (unsigned int i = 0; i < rate.locally_owned_size(); ++i)
-          difference = std::max(difference, std::abs(rate.begin()[i] - last_rate.begin()[i]));
+        double              difference = 0.;
+        const double *const now        = rate.begin();
+        const double *const before     = last_rate.begin();
+        for (unsigned int i = 0, n = rate.locally_owned_size(); i < n; ++i)
+          difference = std::max(difference, std::abs(now[i] - before[i]));
         difference = Utilities::MPI::max(difference, rate.get_mpi_communicator());
         sums.add(dt * dt / (dt + last.length()) * difference, waiting);
         waiting = 0;
