@@ -47,8 +47,8 @@ namespace Cautery
   {
     const auto    scope = cost.measure(name() + ": load");
     const Vector &x     = state.*equation.unknown();
-    if (force.size() == 0)
-      for (auto *vector : {&force, &rate, &prescribed_rate, &product})
+    for (auto *vector : {&force, &rate, &prescribed_rate, &product})
+      if (vector->size() == 0) // the rate may be there already, of a run that has been resumed
         vector->reinit(x);
 
     equation.load(step, state, force);

@@ -118,6 +118,7 @@ namespace Cautery
     archive.shared("times found", n_found);
     archive.shared("last look at speeds", last_look);
     archive.shared("next look at speeds", next_look);
+    archive.shared("may move", may_move);
     archive.shared("moved since", moved);
   }
 
