@@ -132,7 +132,7 @@ namespace Cautery
     std::string result;
     read(file, path, H5T_NATIVE_CHAR, [&result](const std::size_t size) {
       result.resize(size);
-      return result.data();
+      return &result[0];
     });
     return result;
   }

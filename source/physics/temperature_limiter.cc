@@ -113,10 +113,11 @@ namespace Cautery
       paid.begin()[j] = surplus.begin()[j] / std::max(1., asked.begin()[j]);
     Vector got = paid;
     spread(reach, got);
+    const double *const asks = asking.begin(), *const gets = got.begin(), *const pays = paid.begin(),
+                        *const is_asked = asked.begin(), *const weight = weights.begin();
     for (unsigned int i = 0; i < n; ++i)
-      if (weights.begin()[i] > 0.)
-        temperature.begin()[i] +=
-          (asking.begin()[i] * got.begin()[i] - paid.begin()[i] * asked.begin()[i]) / weights.begin()[i];
+      if (weight[i] > 0.)
+        temperature.begin()[i] += (asks[i] * gets[i] - pays[i] * is_asked[i]) / weight[i];
   }
 
   /// What is still lacking: the same part of every surplus; or, where all together do not suffice, from
