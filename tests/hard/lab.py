@@ -38,7 +38,8 @@ class Lab:
         if answer.returncode != status:
             raise AssertionError(f"{scene} with {changes}: exit status {answer.returncode} instead of {status}\n"
                                  f"{answer.stderr or answer.stdout}")
-        return Ended(out, answer.stderr.strip()) if status != 2 else answer.stderr.strip()
+        complaint = answer.stderr.strip().replace(f"{SCENES}/", "")
+        return Ended(out, complaint) if status != 2 else complaint
 
     def run_all(self, runs):
         """Of each key the run with the arguments beside it, two at a time."""
