@@ -34,6 +34,8 @@ namespace Cautery
       AssertThrow(std::isfinite(radius),
                   ExcRun("no stable step can be found where the motion is beyond all numbers; lower "
                          "Numerics/Explicit/Safety factor, or load the body more slowly"));
+      if (radius == 0.)
+        return next; // nothing resists: LAPACK would look for eigenvalues between 0 and 0
       dealii::Vector<double> eigenvalues;
       FullMatrix<double>     vectors;
       matrix.compute_eigenvalues_symmetric(-4. * radius, 4. * radius, 1e-12 * radius, eigenvalues, vectors);
