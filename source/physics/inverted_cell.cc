@@ -12,7 +12,9 @@ namespace Cautery
   std::string InvertedCell::message() const
   {
     return "cell " + std::to_string(cell) + " at " + to_text(place[0]) + ", " + to_text(place[1]) + ", " +
-           to_text(place[2]) + " m is turned inside out (J = " + to_text(jacobian) + ")";
+           to_text(place[2]) +
+           (jacobian > 0. ? " m is pressed to " + to_text(jacobian) + " of its volume" :
+                            " m is turned inside out (J = " + to_text(jacobian) + ")");
   }
 
   std::optional<InvertedCell> worst_of_all(const std::optional<InvertedCell> &own,

@@ -217,10 +217,12 @@ namespace Cautery
 
   template <typename Number>
   template <int corners>
-  std::optional<InvertedCell>
-  TledBody<Number>::inverted(const Pack<corners> &pack, const unsigned int t, const Records &values) const
+  std::optional<InvertedCell> TledBody<Number>::inverted(const Pack<corners> &pack,
+                                                         const unsigned int   t,
+                                                         const Records       &values,
+                                                         const double         most) const
   {
-    const auto found = pack.cells.inverted_cell(values.data());
+    const auto found = pack.cells.inverted_cell(values.data(), most);
     if (!found)
       return {};
     InvertedCell result{0, Point<3>(), found->jacobian};
@@ -236,13 +238,13 @@ namespace Cautery
   }
 
   template <typename Number>
-  std::optional<InvertedCell> TledBody<Number>::inverted(const Records &values) const
+  std::optional<InvertedCell> TledBody<Number>::inverted(const Records &values, const double most) const
   {
     std::optional<InvertedCell> own;
     for (const Share &share : shares)
       {
-        const auto found = share.hexahedra ? inverted(*share.hexahedra, share.tissue, values) :
-                                             inverted(*share.tetrahedra, share.tissue, values);
+        const auto found = share.hexahedra ? inverted(*share.hexahedra, share.tissue, values, most) :
+                                             inverted(*share.tetrahedra, share.tissue, values, most);
         if (found && !(own && own->jacobian <= found->jacobian))
           own = found;
       }

@@ -224,7 +224,7 @@ namespace Cautery
 
   template <int corners, typename Number>
   std::optional<typename TledCells<corners, Number>::Inverted>
-  TledCells<corners, Number>::inverted_cell(const Number *values) const
+  TledCells<corners, Number>::inverted_cell(const Number *values, const double most) const
   {
     std::optional<Inverted> worst;
     for (std::size_t i = 0; i < cell_of_lane.size(); ++i)
@@ -240,7 +240,7 @@ namespace Cautery
                 h(c, d) += (values[node[corner * lanes] + c] - values[node[0] + c]) *
                            rows[(3 * corner - 3 + d) * lanes];
           const double jacobian = Deformation<double>(h).jacobian;
-          if (cell_of_lane[i] != numbers::invalid_size_type && !(jacobian > 0.) &&
+          if (cell_of_lane[i] != numbers::invalid_size_type && !(jacobian > most) &&
               !(worst && jacobian >= worst->jacobian))
             worst = {cell_of_lane[i], jacobian};
         }

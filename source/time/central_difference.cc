@@ -106,14 +106,21 @@ namespace Cautery
   }
 
   template <typename Number>
-  unsigned int CentralDifference<Number>::n_parts(const double length, const double longest) const
+  unsigned int
+  CentralDifference<Number>::n_parts(const double length, const double longest, const double time) const
   {
     const double parts = std::max(1., std::ceil(length / longest * (1. - 1e-9)));
-    AssertThrow(parts <= most_parts,
-                ExcRun("explicit steps of " + to_text(longest) + " s are too short: " + to_text(length) +
-                       " s take more than " + to_text(most_parts) +
-                       " of them; take softer or denser tissue, larger cells, or implicit steps"));
-    return parts;
+    if (parts <= most_parts)
+      return parts;
+    // neo-Hookean tissue becomes the stiffer the more it is pressed
+    const auto cell = motion != nullptr ? body.inverted(values, 0.5) : std::optional<InvertedCell>();
+    AssertThrow(false,
+                ExcRun((cell ? "at t = " + to_text(time) + " s " + cell->message() + ": " : std::string()) +
+                       "explicit steps of " + to_text(longest) + " s are too short: " + to_text(length) +
+                       " s take more than " + to_text(most_parts) + " of them; " +
+                       (cell ? "load the body more slowly or less, or refine the mesh there" :
+                               "take softer or denser tissue, larger cells, or implicit steps")));
+    return 0;
   }
 
   template <typename Number>
@@ -155,7 +162,7 @@ namespace Cautery
   template <typename Number>
   void CentralDifference<Number>::advance_all(const Step &whole)
   {
-    const unsigned int n    = n_parts(whole.length(), longest_heat);
+    const unsigned int n    = n_parts(whole.length(), longest_heat, whole.from);
     const auto         part = [&](const unsigned int i) {
       const double length = whole.length() / n;
       return Step{i == 0 ? whole.from : whole.from + i * length,
@@ -163,7 +170,7 @@ namespace Cautery
     };
     for (unsigned int i = 0; i < n;)
       {
-        if (motion == nullptr || n_parts(whole.length() / n, motion_limit->longest()) > 1)
+        if (motion == nullptr || n_parts(whole.length() / n, motion_limit->longest(), whole.from) > 1)
           {
             advance(part(i++));
             continue;
@@ -221,7 +228,7 @@ namespace Cautery
         const double longest = motion_limit->longest();
         const bool   go_on   = last_motion_step <= longest && last_motion_step > 0.9 * longest;
         const Step   rest    = {time, step.to};
-        const auto   n       = n_parts(rest.length(), go_on ? last_motion_step : longest);
+        const auto   n       = n_parts(rest.length(), go_on ? last_motion_step : longest, rest.from);
         const auto   n_now   = std::min<std::uint64_t>(n, motion_limit->steps_left());
         const auto   scope   = cost.measure("deformation: explicit steps");
         for (unsigned int i = 0; i < n_now; ++i)

@@ -68,8 +68,7 @@ def inversion(lab):
               *(f"Boundaries/{side}/Mechanical=fixed" for side in ("moved", "held", "rest"))]
     for cells in ("tetrahedra", "hexahedra"):
         run = lab.run("block", *pushed, f"Mesh/Cells={cells}", status=1)
-        lab.says(f"a tool pushed through {cells}", run.complaint, "at t = 0.", "cell", " m is turned inside out (J = ",
-                 "load the body more slowly")
+        lab.says(f"a tool pushed through {cells}", run.complaint, "at t = 0.", "cell", " m is ", "load the body more slowly")
         lab.keep("the same: last good state on disk", "within a step of the end", f"t = {run.last_time():g} s",
                  0.1 < run.last_time() < 0.9 and run.summary["end_time_s"] == run.last_time())
 

@@ -271,10 +271,10 @@ namespace Cautery::Test
       if (item.choice.hexahedra)
         return;
       const TledCells<4, double> cells(body.tetrahedra, 8);
-      const auto                 cell = cells.inverted_cell(turned.data());
+      const auto                 cell = cells.inverted_cell(turned.data(), 0.);
       holds(item.name,
             "and found: it has the node that went astray",
-            !cells.inverted_cell(values.data()) && cell &&
+            !cells.inverted_cell(values.data(), 0.) && cell &&
               std::count(body.tetrahedra.cells[cell->cell].begin(),
                          body.tetrahedra.cells[cell->cell].end(),
                          corner) == 1);

@@ -10,14 +10,14 @@
 
 namespace Cautery
 {
-  /** A cell that a displacement turns inside out. */
+  /** A cell that a displacement turns inside out, or presses most. */
   struct InvertedCell
   {
     CellNumber cell;     ///< in the undistributed mesh
     Point<3>   place;    ///< centre of the undeformed cell, m
-    double     jacobian; ///< the least J = det F in it, not positive
+    double     jacobian; ///< the least J = det F in it
 
-    /** "cell 3 at 0, 0, 0 m is turned inside out (J = -1)". */
+    /** "cell 3 at 0, 0, 0 m is turned inside out (J = -1)", or how far it is pressed. */
     std::string message() const;
   };
 

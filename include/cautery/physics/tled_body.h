@@ -53,8 +53,9 @@ namespace Cautery
                     Records          &forces,
                     const SlackFibres slack = SlackFibres::as_they_are);
 
-    /** The worst cell of all processes for these @p values; slow, for the message. Collective. */
-    std::optional<InvertedCell> inverted(const Records &values) const;
+    /** The cell of all processes with the least J for these @p values, if that is at most @p most; slow, for
+     * the message. Collective. */
+    std::optional<InvertedCell> inverted(const Records &values, const double most = 0.) const;
 
     /** Lumped masses of the process's nodes (kg), as far as its own cells carry them. */
     std::vector<double> masses() const;
@@ -111,7 +112,7 @@ namespace Cautery
     bool              find_pressures(Pressures &averaged, const CellSweep<Number> &cells);
     template <int corners>
     std::optional<InvertedCell>
-    inverted(const Pack<corners> &pack, const unsigned int t, const Records &values) const;
+    inverted(const Pack<corners> &pack, const unsigned int t, const Records &values, const double most) const;
 
     const Scene             &scene;
     const Field<3>          &nodes;

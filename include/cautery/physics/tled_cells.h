@@ -67,9 +67,9 @@ namespace Cautery
       std::size_t cell; ///< in the order of the mesh
       double      jacobian;
     };
-    /** The cell with the least J, if any is inverted (J <= 0) at a point for these @p values (node records);
+    /** The cell with the least J, if that is at most @p most at a point for these @p values (node records);
      * slow, for the message. */
-    std::optional<Inverted> inverted_cell(const Number *values) const;
+    std::optional<Inverted> inverted_cell(const Number *values, const double most) const;
 
   private:
     void

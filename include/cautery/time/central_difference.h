@@ -69,7 +69,7 @@ namespace Cautery
     void         renew_heat_limit(const double time);
     void         renew_limit_in_time(const double time);
     void         check_healthy(const bool healthy, const double time) const;
-    unsigned int n_parts(const double length, const double longest) const;
+    unsigned int n_parts(const double length, const double longest, const double time) const;
 
     const Scene            &scene;
     const ExplicitSettings &settings;
