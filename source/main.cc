@@ -109,7 +109,9 @@ SIGUSR1 too, and goes on), 2 the input is wrong.
     const bool needs_scene =
       line.command != "parameters" && line.command != "help" && line.command != "version";
     AssertThrow(words.size() == (needs_scene ? 1 : 0),
-                ExcInput("`" + line.command + "` takes " + (needs_scene ? "one scene" : "nothing more") +
+                ExcInput((line.command == "run" ?
+                            "give a scene, or a command and a scene" :
+                            "`" + line.command + "` takes " + (needs_scene ? "one scene" : "nothing more")) +
                          (words.empty() ? "" : ", not `" + join(words, " ") + "`") + "; see cautery --help"));
     if (needs_scene)
       line.scene = words.front();

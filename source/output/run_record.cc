@@ -87,7 +87,7 @@ namespace Cautery
     {
       std::string label = "Errors         ";
       const auto  begin = [&]() -> std::ostream  &{
-        out << label << std::setprecision(2);
+        out << label << std::setprecision(3);
         label = std::string(label.size(), ' ');
         return out;
       };
@@ -159,7 +159,7 @@ namespace Cautery
           out << line;
           for (const auto &[seconds, work] : works(record, share.effect))
             {
-              std::snprintf(line, sizeof(line), "    %-22s %7.3f\n", work.c_str(), seconds);
+              std::snprintf(line, sizeof(line), "    %-26s %7.3f\n", work.c_str(), seconds);
               out << line;
             }
         }
@@ -168,11 +168,15 @@ namespace Cautery
 
     Json forecast_json(const RunRecord &record)
     {
-      return {{"after_steps", record.forecast->after_steps},
-              {"wall_s", record.forecast->seconds},
-              {"peak_memory_bytes", record.forecast->bytes},
-              {"wall_over_actual", record.forecast->seconds / record.wall_seconds},
-              {"memory_over_actual", record.forecast->bytes / record.peak_memory}};
+      Json json = {{"after_steps", record.forecast->after_steps},
+                   {"wall_s", record.forecast->seconds},
+                   {"peak_memory_bytes", record.forecast->bytes}};
+      if (record.status == "done") // else it was foretold of more than has been
+        {
+          json["wall_over_actual"]   = record.forecast->seconds / record.wall_seconds;
+          json["memory_over_actual"] = record.forecast->bytes / record.peak_memory;
+        }
+      return json;
     }
   } // namespace
 
@@ -262,10 +266,10 @@ namespace Cautery
                  "itself? Then take `Switch on at`, smaller steps or tolerances.\n";
       }
     if (adaption)
-      out << "Mesh           adapted " << adaption->times << " times, " << adaption->most_cells
-          << " cells at most, " << adaption->last_cells << " at the end\n";
+      out << "Mesh           adapted to the first step and " << adaption->times << " times later, "
+          << adaption->most_cells << " cells at most, " << adaption->last_cells << " at the end\n";
     write_errors(*this, out);
-    out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << time_steps
+    out << std::setprecision(3) << "Time           " << wall_seconds << " s for " << steps_here
         << " steps on " << processes << (processes == 1 ? " process" : " processes") << ", "
         << std::setprecision(0) << std::fixed << 1e-6 * peak_memory << " MB at most\n"
         << std::defaultfloat << std::setprecision(3);

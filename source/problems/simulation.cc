@@ -14,6 +14,7 @@
 #include <iomanip>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace Cautery
 {
@@ -54,8 +55,9 @@ namespace Cautery
     for (const auto &note : mesh.notes())
       out << "               note: " << note << '\n';
     out << "Unknowns      ";
+    std::string comma;
     for (const auto &[name, number] : problem->unknowns())
-      out << ' ' << number << ' ' << name;
+      out << std::exchange(comma, ",") << ' ' << number << ' ' << name;
     out << '\n' << "Time           " << scene.time.end << " s, ";
     if (scene.time.integrator == TimeSettings::Integrator::ida)
       out << "steps chosen by IDA";
@@ -104,24 +106,27 @@ namespace Cautery
   template <int dim>
   Forecast::Result Simulation<dim>::trial()
   {
+    const bool  makes = Utilities::MPI::this_mpi_process(communicator) == 0;
     std::string directory;
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    if (makes)
       {
         directory = (std::filesystem::temp_directory_path() / "cautery-XXXXXX").string();
-        AssertThrow(
-          mkdtemp(directory.data()) != nullptr,
-          ExcInput("no temporary directory for the trial can be made; set TMPDIR to one that can be "
-                   "written"));
+        if (mkdtemp(directory.data()) == nullptr)
+          directory.clear();
       }
     directory = Utilities::MPI::broadcast(communicator, directory, 0);
+    AssertThrow(!directory.empty(),
+                ExcInput("no temporary directory for the trial can be made; set TMPDIR to one that can be "
+                         "written"));
     // whatever happens, nothing of it stays
-    const std::unique_ptr<const std::string, void (*)(const std::string *)> removal(
-      &directory, [](const std::string *path) {
-        std::error_code error;
+    const auto remove = [makes](const std::string *path) {
+      std::error_code error;
+      if (makes)
         std::filesystem::remove_all(*path, error);
-      });
-    State    state = problem->start();
-    Progress progress(communicator, false, scene.time.end);
+    };
+    const std::unique_ptr<const std::string, decltype(remove)> removal(&directory, remove);
+    State                                                      state = problem->start();
+    Progress                                                   progress(communicator, false, scene.time.end);
     last_good = state;
     make_outputs(directory);
     begin(directory, state, progress);
@@ -210,9 +215,13 @@ namespace Cautery
     Archive stored = safekeeper->checkpoint().read();
     archive(stored, state, progress);
     safekeeper->resumed_at(state);
-    last_good    = state;
-    resumed_from = state.time;
-    resumed_step = state.step;
+    last_good            = state;
+    resumed_from         = state.time;
+    resumed_step         = state.step;
+    unsigned int to_come = 0;
+    for (const double time : scene.output.output_times(scene.time.end))
+      to_come += time > state.time ? 1 : 0;
+    forecast.resume(to_come);
     progress.say("Resumed at t = " + to_text(state.time) + " s, step " + std::to_string(state.step) + "\n");
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
@@ -458,6 +467,7 @@ namespace Cautery
     result.resumed_from = resumed_from;
     result.unknowns     = problem->unknowns();
     result.time_steps   = state.step;
+    result.steps_here   = state.step - resumed_step;
     result.statistics   = past_statistics;
     for (const auto &[name, count] : problem->statistics())
       result.statistics[name] += count;
@@ -480,12 +490,11 @@ namespace Cautery
             body->mesh.regions().at(id), volume, volume / body->mesh.volumes().at(id)};
         result.ablation = zone;
       }
-    result.wall_seconds        = cost.wall_seconds();
-    result.processor_seconds   = Utilities::MPI::max(cost.processor_seconds(), communicator);
-    const unsigned int n_steps = state.step - resumed_step;
-    result.seconds_per_step    = n_steps > 0 ? loop_seconds / n_steps : 0.;
-    result.seconds_by_part     = cost.seconds_by_part();
-    result.seconds_by_effect   = cost.seconds_by_effect();
+    result.wall_seconds      = cost.wall_seconds();
+    result.processor_seconds = Utilities::MPI::max(cost.processor_seconds(), communicator);
+    result.seconds_per_step  = result.steps_here > 0 ? loop_seconds / result.steps_here : 0.;
+    result.seconds_by_part   = cost.seconds_by_part();
+    result.seconds_by_effect = cost.seconds_by_effect();
     for (const auto &[effect, bytes] : cost.bytes_by_effect())
       result.bytes_by_effect[effect] = Utilities::MPI::sum(bytes, communicator);
     result.peak_memory = Utilities::MPI::sum(Cost::peak_memory(), communicator);

@@ -173,7 +173,7 @@ namespace Cautery
           for (unsigned int q = 0; q < quantities.size(); ++q)
             out << ' ' << change_text(quantities[q], with.answers[q], outcome.answers[q]) << " |";
           out << ' ' << outcome.seconds << " | " << std::round(100. * (1. - outcome.seconds / with.seconds))
-              << " % | " << std::round(1e-6 * (with.bytes - outcome.bytes)) << " | "
+              << " % | " << std::round(1e-6 * (with.bytes - outcome.bytes)) + 0. << " | "
               << (is_called_for(quantities, with, outcome) ? "yes" : "no") << " |\n";
         }
       return out.str();

@@ -86,6 +86,15 @@ namespace Cautery
     return column.size() > 2 && column.compare(column.size() - 2, 2, "_K") == 0;
   }
 
+  std::string Quantity::unit() const
+  {
+    const std::string last = column.substr(column.rfind('_') + 1);
+    for (const char *known : {"K", "m", "m2", "m3", "Pa", "N", "J", "s"})
+      if (last == known)
+        return " " + last;
+    return "";
+  }
+
   Series Quantity::read(const std::string &directory) const
   {
     return probe.empty() ? read_summary(directory + "/summary.json") : read_probe(directory + "/probes.csv");

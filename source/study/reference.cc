@@ -11,6 +11,8 @@ namespace Cautery
   {
     /// Differences must shrink by so much from rung to rung to be extrapolated.
     constexpr double steady = 1.5;
+    /// No method here is of a higher order in the length of cells or steps: what looks so is chance.
+    constexpr double highest_order = 3.;
 
     /// a + factor (b - c); values that are infinite or missing on one side stay those of a.
     Series moved(const Series &a, const double factor, const Series &b, const Series &c)
@@ -25,9 +27,11 @@ namespace Cautery
       return result;
     }
 
-    Limit from_three(const Series &first, const Series &second, const Series &third)
+    Limit from_three(const Series &first, const Series &second, const Series &third, const double ratio)
     {
       const double before = second.distance(first), after = third.distance(second);
+      if (before > std::pow(ratio, highest_order + 0.5) * after && std::isfinite(before))
+        return {third, before / (ratio * ratio), false}; // as from a method of order 2
       if (!(before > steady * after) || !std::isfinite(before))
         return {third, std::max(before, after), false};
       const Series limit = moved(third, 1. / (before / after - 1.), third, second);
@@ -35,17 +39,17 @@ namespace Cautery
     }
   } // namespace
 
-  Limit extrapolate(const std::vector<Series> &answers)
+  Limit extrapolate(const std::vector<Series> &answers, const double ratio)
   {
     const unsigned int n = answers.size();
     Assert(n >= 2, ExcInternalError());
     const double last = answers[n - 1].distance(answers[n - 2]);
     if (last == 0. || n == 2)
       return {answers[n - 1], last, false};
-    Limit limit = from_three(answers[n - 3], answers[n - 2], answers[n - 1]);
+    Limit limit = from_three(answers[n - 3], answers[n - 2], answers[n - 1], ratio);
     if (limit.extrapolated && n > 3)
       {
-        const Limit earlier = from_three(answers[n - 4], answers[n - 3], answers[n - 2]);
+        const Limit earlier = from_three(answers[n - 4], answers[n - 3], answers[n - 2], ratio);
         limit.uncertainty   = std::min(limit.uncertainty, limit.answer.distance(earlier.answer));
       }
     return limit;
@@ -65,7 +69,8 @@ namespace Cautery
         best.uncertainty = std::numeric_limits<double>::infinity();
         for (unsigned int l = 0; l < ladders.size(); ++l)
           if (ladders[l].error == error && answers[l].size() >= 2)
-            if (const Limit limit = extrapolate(answers[l]); limit.uncertainty < best.uncertainty)
+            if (const Limit limit = extrapolate(answers[l], ladders[l].ratio);
+                limit.uncertainty < best.uncertainty)
               {
                 best = limit;
                 name = ladders[l].name;

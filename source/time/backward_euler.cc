@@ -150,11 +150,8 @@ namespace Cautery
         solve();
         return;
       }
-    // the last step's rate, where there is one, brings the first iterate close
     Vector iterate = state.*equation.unknown();
-    if (rate.size() > 0)
-      iterate.add(step.length(), rate);
-    double change = std::numeric_limits<double>::max();
+    double change  = std::numeric_limits<double>::max();
     for (unsigned int i = 0; change > numerics.iteration_tolerance; ++i)
       {
         require_rounds(i < numerics.max_iterations, numerics, name(), step, change);

@@ -7,7 +7,7 @@ COMMAND_LINE = [
     Case("no scene",
          "give a scene to run; see cautery --help", command=[]),
     Case("two scenes",
-         "`run` takes one scene, not `scene.prm scene.prm`; see cautery --help",
+         "give a scene, or a command and a scene, not `scene.prm scene.prm`; see cautery --help",
          command=["scene.prm", "scene.prm"]),
     Case("check without a scene",
          "`check` takes one scene; see cautery --help", command=["check"]),
@@ -27,7 +27,7 @@ COMMAND_LINE = [
          '--set "Time=3": Line <1> of file <--set "Time=3">: No entry with name <Time> was declared in the current '
          "subsection. (`cautery parameters` lists every section and entry)", ["Time=3"]),
     Case("an unknown command",
-         "`run` takes one scene, not `chekc scene.prm`; see cautery --help",
+         "give a scene, or a command and a scene, not `chekc scene.prm`; see cautery --help",
          command=["chekc", "scene.prm"]),
     Case("missing scene",
          "the scene `none.prm` cannot be read; give the path of a .prm file",

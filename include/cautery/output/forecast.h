@@ -24,6 +24,9 @@ namespace Cautery
     /** Of a run to @p end (s) with @p n_outputs, the one at the start included. */
     Forecast(const double end, const unsigned int n_outputs) : end(end), n_outputs(n_outputs) {}
 
+    /** A run that goes on with @p n of its outputs still to come. */
+    void resume(const unsigned int n) { n_outputs = n; }
+
     void add_output(const double seconds) { outputs.push_back(seconds); }
 
     /** A step over @p length (s) that took @p seconds. */
@@ -48,7 +51,7 @@ namespace Cautery
     static constexpr double       most_seconds   = 20.;
 
     const double          end;
-    const unsigned int    n_outputs;
+    unsigned int          n_outputs;
     std::vector<double>   outputs; ///< wall time of each, s
     std::vector<double>   pace;    ///< wall time per simulated time of each step
     double                spent = 0.;

@@ -31,6 +31,7 @@ namespace Cautery
 
     std::map<std::string, types::global_dof_index> unknowns;
     unsigned int                                   time_steps = 0;
+    unsigned int                                   steps_here = 0; ///< of them since the run was resumed
     std::map<std::string, double>                  statistics;
     Extremes                                       extremes;
     std::optional<HeatTotals>                      balance;

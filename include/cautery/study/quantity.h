@@ -34,8 +34,8 @@ namespace Cautery
     explicit Quantity(const std::string &text);
 
     const std::string &text() const { return name; }
-    /** " K" behind numbers, or nothing. */
-    std::string unit() const { return is_temperature() ? " K" : ""; }
+    /** What its name ends in, if that is a unit, with a blank before it. */
+    std::string unit() const;
     /** Ends in a unit, as all outputs do: is that kelvin? */
     bool is_temperature() const;
 

@@ -29,9 +29,11 @@ namespace Cautery
   /**
    * Richardson's extrapolation from the last three of @p answers, coarse to fine, with the rate at which they
    * approach each other; where that is not steady, the last one. Uncertain is, from four answers on, how far
-   * the extrapolation moved with the last one, else what it adds to the last one. At least two answers.
+   * the extrapolation moved with the last one, else what it adds to the last one. Answers that approach each
+   * other faster than any method does are not trusted. At least two answers.
+   * @param ratio of the lengths of neighbouring rungs.
    */
-  Limit extrapolate(const std::vector<Series> &answers);
+  Limit extrapolate(const std::vector<Series> &answers, const double ratio);
 
   /**
    * The scene's own answer with the corrections from the errors in space, in time and of the solvers, each by
