@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,14 +32,19 @@ namespace Cautery
       double radius = 0.; // of Gershgorin's circles
       for (unsigned int i = 0; i < n; ++i)
         radius = std::max(radius, std::abs(diagonal[i]) + 2. * (n > 1 ? beside[std::min(i, n - 2)] : 0.));
-      AssertThrow(std::isfinite(radius),
-                  ExcRun("no stable step can be found where the motion is beyond all numbers; lower "
-                         "Numerics/Explicit/Safety factor, or load the body more slowly"));
+      AssertThrow(
+        std::all_of(diagonal.begin(), diagonal.end(), [](const double d) { return std::isfinite(d); }) &&
+          std::all_of(beside.begin(), beside.end(), [](const double b) { return std::isfinite(b); }),
+        ExcRun(
+          "the stable step cannot be told, as forces are not finite: the motion has blown up or is beyond "
+          "the tissue's law; load more gently, or take a smaller Time/Step"));
       if (radius == 0.)
         return next; // nothing resists: LAPACK would look for eigenvalues between 0 and 0
       dealii::Vector<double> eigenvalues;
       FullMatrix<double>     vectors;
-      matrix.compute_eigenvalues_symmetric(-4. * radius, 4. * radius, 1e-12 * radius, eigenvalues, vectors);
+      // what LAPACK recommends: with a coarser accuracy vectors of close values may not converge
+      const double accuracy = 2. * std::numeric_limits<double>::min();
+      matrix.compute_eigenvalues_symmetric(-4. * radius, 4. * radius, accuracy, eigenvalues, vectors);
       const unsigned int last = eigenvalues.size() - 1;
       return eigenvalues(last) + next * std::abs(vectors(n - 1, last));
     }

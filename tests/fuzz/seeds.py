@@ -11,6 +11,7 @@ import prm  # noqa: E402
 FOLDERS = ["prm", "tests/scenes", "tests/study", "tests/verification/scenes", "tests/errors", "tests/hard"]
 CELLS = 3       # at most, along each axis of a box
 STEPS = 4       # at most
+EXPLICIT = 1e-3 # s; of a step where sound limits those within it
 MOST = 300      # steps, whatever the mutation
 
 FORMATS = {
@@ -97,6 +98,9 @@ def small(path, text):
         numbers = [min(CELLS, int(number)) for number in values["Mesh/Subdivisions"].split(",")]
         changes["Mesh/Subdivisions"] = ", ".join(map(str, numbers))
     step, end = (float(values.get("Time/" + name, default)) for name, default in (("Step", "1"), ("End", "120")))
+    if values.get("Effects/Deformation") == "explicit dynamics":
+        step = min(step, EXPLICIT)
+        changes["Time/Step"] = repr(step)
     changes["Time/End"] = repr(min(end, STEPS * step))
     changes["Output/Interval"] = repr(2 * step)
     return changes
