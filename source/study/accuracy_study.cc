@@ -167,12 +167,7 @@ namespace Cautery
 
     result.rows.push_back({"scene", {"as it is", {}}, run("scene", "the scene as it is", {}), {}});
     require_success(result.rows.front().outcome, "the scene as it is");
-    for (unsigned int q = 0; q < result.quantities.size(); ++q)
-      AssertThrow(result.rows.front().outcome.answers[q].values.size() > 0,
-                  ExcInput("Accuracy/Quantities: there is no `" + result.quantities[q].text() +
-                           "` in probes.csv or summary.json below " + directory +
-                           "/runs/scene; a probe's is " +
-                           "`PROBE COLUMN` or `PROBE COLUMN at TIME`, a number of the summary its path"));
+    require_answers(result.quantities, result.rows.front().outcome, directory);
     for (const auto &ladder : result.ladders)
       for (unsigned int i = 0; i < ladder.rungs.size(); ++i)
         result.rows.push_back({ladder.name,

@@ -251,6 +251,7 @@ namespace Cautery
     const Outcome with = runner.run("scene", {});
     progress.say("the scene as it is", with);
     AssertThrow(with.succeeded(), ExcRun("the scene as it is fails: " + with.message));
+    require_answers(quantities, with, directory);
     std::vector<Row> rows;
     for (unsigned int i = 0; i < variants.size(); ++i)
       {

@@ -31,6 +31,19 @@ namespace Cautery
     }
   } // namespace
 
+  void require_answers(const std::vector<Quantity> &quantities,
+                       const Outcome               &outcome,
+                       const std::string           &directory)
+  {
+    for (unsigned int q = 0; q < quantities.size(); ++q)
+      AssertThrow(
+        !outcome.answers[q].values.empty(),
+        ExcInput("Accuracy/Quantities: there is no `" + quantities[q].text() +
+                 "` in probes.csv or summary.json below " + directory +
+                 "/runs/scene; a probe's is `PROBE COLUMN` or `PROBE COLUMN at TIME`, a number of the "
+                 "summary its path"));
+  }
+
   Runner::Runner(const Origin                &origin,
                  const std::vector<Quantity> &quantities,
                  const unsigned int           repeats,

@@ -24,6 +24,11 @@ namespace Cautery
     bool succeeded() const { return message.empty(); }
   };
 
+  /** Errors: ExcInput where a run, whose study is in @p directory, did not answer one of @p quantities. */
+  void require_answers(const std::vector<Quantity> &quantities,
+                       const Outcome               &outcome,
+                       const std::string           &directory);
+
   /**
    * Time is that of the processor, so that what else runs on the machine does not count; on a quiet one it is
    * the wall time.
