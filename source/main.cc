@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/base/agreement.h>
 #include <cautery/base/version.h>
-#include <cautery/problems/simulation.h>
+#include <cautery/problems/run_scene.h>
 #include <cautery/study/accuracy_study.h>
 #include <cautery/study/effect_study.h>
 #include <cautery/study/goal_run.h>
@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 
 namespace
 {
@@ -60,14 +59,6 @@ SIGUSR1 too, and goes on), 2 the input is wrong.
     option("help,h", "print this");
     option("version", "print the version");
     return description;
-  }
-
-  Override parse_override(const std::string &text)
-  {
-    const auto sign = text.find('=');
-    AssertThrow(sign != std::string::npos && sign > 0,
-                ExcInput("--set \"" + text + "\": write \"Section/Entry=value\""));
-    return {Utilities::trim(text.substr(0, sign)), Utilities::trim(text.substr(sign + 1))};
   }
 
   CommandLine parse(const int argc, char **argv)
@@ -122,7 +113,8 @@ SIGUSR1 too, and goes on), 2 the input is wrong.
       line.directory = given["output"].as<std::string>();
     if (given.count("set"))
       for (const auto &text : given["set"].as<std::vector<std::string>>())
-        line.overrides.push_back(parse_override(text));
+        line.overrides.push_back(
+          parse_override(text, "--set \"" + text + "\": write \"Section/Entry=value\""));
     return line;
   }
 
@@ -160,16 +152,6 @@ SIGUSR1 too, and goes on), 2 the input is wrong.
       run_to_goal({line.scene, line.overrides}, scene, directory_of(line, scene), MPI_COMM_WORLD);
     else
       run_scene(scene, MPI_COMM_WORLD, directory_of(line, scene), Voice::speaks, line.resume);
-  }
-
-  std::string message_of(const std::exception &exception)
-  {
-    const auto *ours = dynamic_cast<const ExceptionBase *>(&exception);
-    if (ours == nullptr)
-      return exception.what();
-    std::ostringstream message;
-    ours->print_info(message);
-    return Utilities::trim(message.str());
   }
 
   void run(const CommandLine &line)

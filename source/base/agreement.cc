@@ -5,7 +5,6 @@
 #include <deal.II/base/timer.h>
 
 #include <chrono>
-#include <sstream>
 #include <thread>
 
 namespace Cautery
@@ -24,16 +23,6 @@ namespace Cautery
     return all_here != 0;
   }
 
-  namespace
-  {
-    std::string reason_of(const ExceptionBase &exception)
-    {
-      std::ostringstream text;
-      exception.print_info(text);
-      return Utilities::trim(text.str());
-    }
-  } // namespace
-
   void fail_together(const MPI_Comm communicator, const std::function<void()> &work)
   {
     const unsigned int me     = Utilities::MPI::this_mpi_process(communicator);
@@ -49,12 +38,12 @@ namespace Cautery
       {
         failed = me;
         input  = true;
-        reason = reason_of(exception);
+        reason = message_of(exception);
       }
     catch (const ExcRun &exception)
       {
         failed = me;
-        reason = reason_of(exception);
+        reason = message_of(exception);
       }
     const unsigned int first = Utilities::MPI::min(failed, communicator);
     if (first == nobody)

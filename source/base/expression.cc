@@ -11,7 +11,6 @@
 #include <iostream>
 #include <limits>
 #include <regex>
-#include <sstream>
 
 namespace Cautery
 {
@@ -59,12 +58,7 @@ namespace Cautery
 
     std::string reason_of(const std::exception &exception)
     {
-      const auto *said = dynamic_cast<const ExceptionBase *>(&exception);
-      if (said == nullptr)
-        return exception.what();
-      std::ostringstream text;
-      said->print_info(text);
-      const std::string reason = Utilities::trim(text.str()), start = "The parser said: ";
+      const std::string reason = message_of(exception), start = "The parser said: ";
       const auto        found = reason.find(start);
       return found == std::string::npos ? reason : reason.substr(found + start.size());
     }

@@ -231,9 +231,7 @@ namespace Cautery
         }
       catch (const ExceptionBase &exception)
         {
-          std::ostringstream reason;
-          exception.print_info(reason);
-          p.reject(name, text, Utilities::trim(reason.str()));
+          p.reject(name, text, message_of(exception));
         }
     }
   } // namespace

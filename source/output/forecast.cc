@@ -25,7 +25,7 @@ namespace Cautery
 
   void Forecast::make(const double time, const double passed, const double bytes)
   {
-    const std::vector<double> later(pace.begin() + pace.size() / 2, pace.end());
+    const std::vector<double> later(pace.begin() + 2 * pace.size() / 3, pace.end());
     const unsigned int        outputs_left = n_outputs - std::min<unsigned int>(n_outputs, outputs.size());
     made = {passed + median(later) * (end - time) + median(outputs) * outputs_left,
             bytes,

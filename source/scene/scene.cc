@@ -137,9 +137,7 @@ namespace Cautery
         }
       catch (const ExcInput &exception)
         {
-          std::ostringstream reason;
-          exception.print_info(reason);
-          AssertThrow(false, ExcInput(path + " = " + value + ": " + Utilities::trim(reason.str())));
+          AssertThrow(false, ExcInput(path + " = " + value + ": " + message_of(exception)));
           throw;
         }
     }
@@ -230,14 +228,19 @@ namespace Cautery
       }
     catch (const ExcInput &exception)
       {
-        std::ostringstream reason;
-        exception.print_info(reason);
-        const std::string message = Utilities::trim(reason.str());
+        const std::string message = message_of(exception);
         const bool        named =
           message.find(file_name) == 0 || message.find("the scene") == 0 || message.find("--set") == 0;
         AssertThrow(false, ExcInput(named ? message : file_name + ": " + message));
       }
     return {};
+  }
+
+  Override parse_override(const std::string &text, const std::string &remedy)
+  {
+    const auto sign = text.find('=');
+    AssertThrow(sign != std::string::npos && sign > 0, ExcInput(remedy));
+    return {Utilities::trim(text.substr(0, sign)), Utilities::trim(text.substr(sign + 1))};
   }
 
   std::string parameter_reference()

@@ -40,10 +40,8 @@ namespace Cautery
         }
       catch (const ExceptionBase &exception)
         {
-          std::ostringstream reason;
-          exception.print_info(reason);
           AssertThrow(false,
-                      ExcInput(origin + ": " + Utilities::trim(reason.str()) +
+                      ExcInput(origin + ": " + message_of(exception) +
                                " (`cautery parameters` lists every section and entry)"));
         }
     }

@@ -11,7 +11,6 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace Cautery
 {
@@ -65,9 +64,7 @@ namespace Cautery
           }
         catch (const ExcInput &exception)
           {
-            std::ostringstream text;
-            exception.print_info(text);
-            error = Utilities::trim(text.str());
+            error = message_of(exception);
           }
       error = Utilities::MPI::broadcast(communicator, error, root);
       AssertThrow(error.empty(), ExcInput(error));

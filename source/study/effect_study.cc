@@ -262,9 +262,7 @@ namespace Cautery
           }
         catch (const ExcInput &exception)
           {
-            std::ostringstream reason;
-            exception.print_info(reason);
-            rows.back().outcome.message = "the scene needs it: " + Utilities::trim(reason.str());
+            rows.back().outcome.message = "the scene needs it: " + message_of(exception);
           }
         progress.say("without " + variants[i].label, rows.back().outcome);
       }

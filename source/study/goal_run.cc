@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cautery/problems/simulation.h>
+#include <cautery/problems/run_scene.h>
 #include <cautery/study/goal_run.h>
 #include <cautery/study/study_progress.h>
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Cautery
 {
@@ -213,11 +212,9 @@ namespace Cautery
           }
         catch (const ExcInput &exception)
           {
-            std::ostringstream reason;
-            exception.print_info(reason);
             AssertThrow(false,
                         ExcInput("the ladder `" + ladder.name + "`, rung `" + rung.label +
-                                 "`: " + Utilities::trim(reason.str())));
+                                 "`: " + message_of(exception)));
           }
     }
 
@@ -235,9 +232,7 @@ namespace Cautery
             }
           catch (const ExcInput &exception)
             {
-              std::ostringstream reason;
-              exception.print_info(reason);
-              left_out.push_back(Utilities::trim(reason.str()));
+              left_out.push_back(message_of(exception));
             }
       return ladders;
     }

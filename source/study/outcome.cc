@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/base/cost.h>
 #include <cautery/base/version.h>
-#include <cautery/problems/simulation.h>
+#include <cautery/problems/run_scene.h>
 #include <cautery/study/outcome.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 namespace Cautery
 {
@@ -113,9 +112,7 @@ namespace Cautery
       }
     catch (const ExcInput &exception)
       {
-        std::ostringstream reason;
-        exception.print_info(reason);
-        outcome["refused"] = Utilities::trim(reason.str());
+        outcome["refused"] = message_of(exception);
       }
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;

@@ -16,12 +16,8 @@ namespace Cautery
   {
     std::vector<Override> changes;
     for (const auto &part : Utilities::split_string_list(text, ';'))
-      {
-        const auto sign = part.find('=');
-        AssertThrow(sign != std::string::npos && sign > 0,
-                    ExcInput(parameter + " = " + text + ": write `Section/Entry = value; ...`"));
-        changes.push_back({Utilities::trim(part.substr(0, sign)), Utilities::trim(part.substr(sign + 1))});
-      }
+      changes.push_back(
+        parse_override(part, parameter + " = " + text + ": write `Section/Entry = value; ...`"));
     return changes;
   }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace Cautery
 {
@@ -18,13 +17,6 @@ namespace Cautery
     /// Of the energy's slope at the start of a search, at its end.
     constexpr double       flattened     = 0.5;
     constexpr unsigned int most_attempts = 12;
-
-    std::string reason_of(const ExcRun &exception)
-    {
-      std::ostringstream text;
-      exception.print_info(text);
-      return Utilities::trim(text.str());
-    }
   } // namespace
 
   template <int dim>
@@ -45,18 +37,16 @@ namespace Cautery
   template <int dim>
   void NewtonEquilibrium<dim>::solve(State &state)
   {
-    if (!started)
-      reached = body.unloaded(state);
-    started               = true;
+    const Loading start   = last ? body.loading(*last) : body.unloaded(state);
     const Loading target  = body.loading(state);
-    Loading       present = reached;
+    Loading       present = start;
     Vector        x       = state.displacement;
-    double        done    = 0.; // of the way from `reached` to `target`
+    double        done    = 0.; // of the way from `start` to `target`
     double        step    = 1.;
     while (done < 1.)
       {
         const double  share   = std::min(1., done + step);
-        const Loading next    = Loading::between(reached, target, share);
+        const Loading next    = Loading::between(start, target, share);
         Vector        trial   = x;
         const Failure failure = iterate(present, next, trial);
         if (failure.empty())
@@ -70,6 +60,11 @@ namespace Cautery
             continue;
           }
         step /= 2.;
+        if (step < settings.smallest_step && done > 0.)
+          {
+            borne               = State::between(last ? *last : state, state, done);
+            borne->displacement = x;
+          }
         AssertThrow(step >= settings.smallest_step,
                     ExcRun("no equilibrium found at t = " + to_text(state.time) + " s beyond " +
                            to_text(100. * done) + " % of the load's change: " + failure +
@@ -77,7 +72,7 @@ namespace Cautery
                            "times, refine the mesh there, or lower Numerics/Newton/Smallest load step"));
       }
     state.displacement = x;
-    reached            = target;
+    last               = state;
   }
 
   /// Newton's method from @p x, in equilibrium with @p from, to equilibrium with @p target.
@@ -156,7 +151,7 @@ namespace Cautery
       }
     catch (const ExcRun &exception)
       {
-        failure = reason_of(exception);
+        failure = message_of(exception);
       }
     if (!failure.empty() && solver_settings.method == LinearSolverSettings::Method::automatic &&
         tangent->m() <= most_to_factorise)
@@ -180,7 +175,7 @@ namespace Cautery
       }
     catch (const ExcRun &exception)
       {
-        return reason_of(exception);
+        return message_of(exception);
       }
   }
 
@@ -235,6 +230,7 @@ namespace Cautery
   template <int dim>
   void NewtonEquilibrium<dim>::archive(Archive &archive, const State &state)
   {
+    bool started = last.has_value();
     archive.shared("started", started);
     archive.shared("typical force", typical);
     archive.shared("load steps", n_steps);
@@ -243,8 +239,8 @@ namespace Cautery
     if (!started)
       return;
     if (archive.restores())
-      reached = body.unloaded(state); // of the right sizes
-    reached.archive(archive);
+      last = state; // of the right sizes
+    last->archive(archive);
   }
 
   template <int dim>

@@ -15,7 +15,6 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace Cautery::Test
@@ -389,12 +388,7 @@ namespace Cautery::Test
       }
   }
 
-  void print(const ExcRun &exception)
-  {
-    std::ostringstream text;
-    exception.print_info(text);
-    out << "  ExcRun: " << text.str();
-  }
+  void print(const ExcRun &exception) { out << "  ExcRun: " << message_of(exception) << std::endl; }
 
   /** Marches until an exception comes, and says which; y must then be that of the last good step. */
   void expect_failure(const std::string &title, Decay &decay, const unsigned int max_steps = 1000)

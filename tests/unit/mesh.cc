@@ -83,9 +83,7 @@ namespace
       }
     catch (const ExcInput &exception)
       {
-        std::ostringstream text;
-        exception.print_info(text);
-        reason = Utilities::trim(text.str());
+        reason = message_of(exception);
       }
     const bool everywhere = Utilities::MPI::min(reason == "ACCEPTED" ? 0 : 1, communicator) == 1;
     out << title << ": " << (everywhere ? "" : "NOT ON ALL PROCESSES ") << reason << std::endl;

@@ -169,9 +169,7 @@ namespace Verification
         }
       catch (const ExcRun &exception)
         {
-          std::ostringstream text;
-          exception.print_info(text);
-          message = Utilities::trim(text.str());
+          message = message_of(exception);
         }
       std::cout << "    " << message << '\n';
       checks.holds("turned inside out: the message names a cell",

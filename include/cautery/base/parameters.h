@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/base/exceptions.h>
 #include <cautery/base/expression.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -14,17 +15,6 @@
 namespace Cautery
 {
   using namespace dealii;
-
-  /**
-   * The user's input is wrong: the program ends with exit status 2. The message names the parameter, the
-   * value and the remedy.
-   */
-  DeclException1(ExcInput, std::string, << arg1);
-
-  /**
-   * The run failed numerically: exit status 1.
-   */
-  DeclException1(ExcRun, std::string, << arg1);
 
   /**
    * The values a number may take. An open end excludes the bound itself.

@@ -8,7 +8,7 @@ namespace Cautery
 {
   /**
    * What a run is going to cost, foretold from its first steps: what has passed, and for what is left the
-   * median of the later half of these steps and of the outputs so far. The first steps of a run are dearer
+   * median of the last third of these steps and of the outputs so far. The first steps of a run are dearer
    * than the others, because first guesses and matrices are still to be made.
    */
   class Forecast
@@ -32,12 +32,8 @@ namespace Cautery
     /** A step over @p length (s) that took @p seconds. */
     void add_step(const double length, const double seconds);
 
-    /** After 30 steps; sooner, but not before first guesses are remembered, where steps are slow. */
-    bool knows_enough() const
-    {
-      return pace.size() >= enough_steps || (pace.size() >= least_steps && spent >= enough_seconds) ||
-             spent >= most_seconds;
-    }
+    /** After 30 steps, by when first guesses are good; sooner where steps are slow. */
+    bool knows_enough() const { return pace.size() >= enough_steps || spent >= most_seconds; }
 
     /** At @p time (s), when @p passed seconds have been spent and most memory was @p bytes; for good. */
     void make(const double time, const double passed, const double bytes);
@@ -45,10 +41,8 @@ namespace Cautery
     const std::optional<Result> &result() const { return made; }
 
   private:
-    static constexpr unsigned int enough_steps   = 30;
-    static constexpr unsigned int least_steps    = 16;
-    static constexpr double       enough_seconds = 3.;
-    static constexpr double       most_seconds   = 20.;
+    static constexpr unsigned int enough_steps = 30;
+    static constexpr double       most_seconds = 20.;
 
     const double          end;
     unsigned int          n_outputs;

@@ -23,14 +23,6 @@ namespace Cautery
 
     /** What acts when @p share of the way from @p from to @p to is done. */
     static Loading between(const Loading &from, const Loading &to, const double share);
-
-    void archive(Archive &archive)
-    {
-      archive.nodal("force", force);
-      archive.nodal("prescribed displacement", prescribed);
-      archive.nodal("temperature", temperature);
-      archive.shared("heating", heating);
-    }
   };
 
   /**

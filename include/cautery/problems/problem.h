@@ -47,6 +47,9 @@ namespace Cautery
     virtual std::optional<Vector>     unbalanced_forces(const State &) { return {}; }
     virtual std::optional<HeatTotals> heat_totals(const State &) { return {}; }
 
+    /** Where there was no equilibrium: see Equilibrium. */
+    virtual const State *last_borne() const { return nullptr; }
+
     /** All that it remembers besides @p state, which is that of the archive already. Collective where it
      * brings back. */
     virtual void archive(Archive &archive, const State &state) = 0;

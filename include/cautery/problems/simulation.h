@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cautery/output/ablation_zone.h>
-#include <cautery/output/extremes.h>
 #include <cautery/output/forecast.h>
-#include <cautery/output/probes.h>
 #include <cautery/output/progress.h>
-#include <cautery/output/run_record.h>
+#include <cautery/problems/audience.h>
 #include <cautery/problems/safekeeper.h>
 
 #include <memory>
@@ -32,8 +29,8 @@ namespace Cautery
     /** Builds everything and writes nothing. Errors: ExcInput. */
     Simulation(const Scene &scene, const MPI_Comm communicator);
 
-    /** What it is going to do: effects, mesh, unknowns, memory, steps. */
-    std::string description() const;
+    const Body<dim>    &simulated_body() const { return *body; }
+    const Problem<dim> &simulated_problem() const { return *problem; }
 
     /**
      * What a run is going to cost, from a trial of its first steps, whose files are removed again. The
@@ -48,59 +45,42 @@ namespace Cautery
     RunRecord run(const std::string &directory, const Voice voice = Voice::speaks, const bool resume = false);
 
   private:
-    void prepare_directory(const std::string &directory) const;
-    void make_outputs(const std::string &directory);
     void begin(const std::string &directory, State &state, Progress &progress);
     void resume(const std::string &directory, State &state, Progress &progress);
     void archive(Archive &archive, State &state, Progress &progress);
     /// To the end, or until the forecast is made. False where it has been asked to stop.
-    bool   go(State &state, Progress &progress, const bool only_trial);
-    void   end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
-    void   advance(State &state, const double stop, Progress &progress);
-    double stop_before(const double time) const;
-    void   adapt_mesh(State &state, Progress &progress);
-    std::vector<Observer<dim> *> observers() const;
-    void                         foretell(const double length, const double seconds, const double time);
-    void                         observe(State &state);
-    void                         observe_last_good();
-    void                         say_step(const State &state, Progress &progress) const; ///< collective
-    RunRecord                    record(const State &state) const;
-    RunRecord                    finish(const State       &state,
-                                        const std::string &directory,
-                                        const std::string &status,
-                                        const std::string &message,
-                                        Progress          &progress);
+    bool      go(State &state, Progress &progress, const bool only_trial);
+    void      end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
+    void      advance(State &state, const double stop, Progress &progress);
+    double    stop_before(const double time) const;
+    void      adapt_mesh(State &state, Progress &progress);
+    void      foretell(const double length, const double seconds, const double time);
+    void      observe(State &state);
+    void      observe_last_good();
+    void      say_step(const State &state, Progress &progress) const; ///< collective
+    RunRecord record(const State &state) const;
+    RunRecord finish(const State       &state,
+                     const std::string &directory,
+                     const std::string &status,
+                     const std::string &message,
+                     Progress          &progress);
 
-    const Scene                                &scene;
-    const MPI_Comm                              communicator;
-    mutable Cost                                cost;
-    std::unique_ptr<Body<dim>>                  body;
-    std::unique_ptr<Problem<dim>>               problem;
-    std::unique_ptr<Probes<dim>>                probes;
-    std::unique_ptr<AblationZone<dim>>          ablation;
-    std::vector<std::unique_ptr<Observer<dim>>> others;
-    std::unique_ptr<Safekeeper<dim>>            safekeeper;
-    Extremes                                    extremes;
-    Forecast                                    forecast;
-    SpaceErrors                                 space_errors;
-    std::map<std::string, double>               past_statistics;    ///< of earlier meshes
-    std::map<std::string, TimeError>            past_time_errors;   ///< the same
-    double                                      next_adaption = 0.; ///< s
-    RunRecord::Adaption                         adaption;
-    State                                       last_good;          ///< after the last complete step
-    double                                      observed     = -1.; ///< s; when the outputs were last asked
-    double                                      loop_seconds = 0.;
-    std::optional<double>                       resumed_from;     ///< s
-    unsigned int                                resumed_step = 0; ///< 0: the run began at its start
+    const Scene                     &scene;
+    const MPI_Comm                   communicator;
+    mutable Cost                     cost;
+    std::unique_ptr<Body<dim>>       body;
+    std::unique_ptr<Problem<dim>>    problem;
+    std::unique_ptr<Audience<dim>>   audience;
+    std::unique_ptr<Safekeeper<dim>> safekeeper;
+    Forecast                         forecast;
+    std::map<std::string, double>    past_statistics;    ///< of earlier meshes
+    std::map<std::string, TimeError> past_time_errors;   ///< the same
+    double                           next_adaption = 0.; ///< s
+    RunRecord::Adaption              adaption;
+    State                            last_good;          ///< after the last complete step
+    double                           observed     = -1.; ///< s; when the outputs were last asked
+    double                           loop_seconds = 0.;
+    std::optional<double>            resumed_from;     ///< s
+    unsigned int                     resumed_step = 0; ///< 0: the run began at its start
   };
-
-  /** A run of @p scene, in its dimension. Errors: as those of Simulation. */
-  RunRecord run_scene(const Scene       &scene,
-                      const MPI_Comm     communicator,
-                      const std::string &directory,
-                      const Voice        voice  = Voice::speaks,
-                      const bool         resume = false);
-
-  /** What it is going to do and to cost. Errors: as those of Simulation. */
-  std::string checked_scene(const Scene &scene, const MPI_Comm communicator);
 } // namespace Cautery

@@ -70,6 +70,9 @@ namespace Cautery
     std::string value;
   };
 
+  /** Of "Section/Entry = value". Errors: ExcInput, saying @p remedy. */
+  Override parse_override(const std::string &text, const std::string &remedy);
+
   /**
    * Reads and checks @p file_name; @p overrides replace entries of the file.
    * Errors: ExcInput with file, line or parameter, value and remedy.

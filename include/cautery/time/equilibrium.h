@@ -21,6 +21,12 @@ namespace Cautery
     /** Errors: ExcRun with the reason; @p state is then as before. */
     virtual void solve(State &state) = 0;
 
+    /**
+     * Where `solve` has failed on the way from one load to the next: the last load that was borne, as the
+     * state at that share of the way from the last equilibrium; nullptr: none.
+     */
+    virtual const State *last_borne() const { return nullptr; }
+
     /** What it remembers of earlier solutions, see Integrator::archive. */
     virtual void archive(Archive &archive, const State &state) = 0;
 

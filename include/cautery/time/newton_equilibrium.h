@@ -27,6 +27,7 @@ namespace Cautery
                       Cost                       &cost);
 
     void                          solve(State &state) override;
+    const State                  *last_borne() const override { return borne ? &*borne : nullptr; }
     void                          archive(Archive &archive, const State &state) override;
     std::map<std::string, double> statistics() const override;
 
@@ -53,8 +54,8 @@ namespace Cautery
     const LinearSolverSettings solver_settings;
     Cost                      &cost;
     LinearSolver               solver;
-    Loading                    reached; ///< the last equilibrium's
-    bool                       started    = false;
+    std::optional<State>       last;            ///< equilibrium
+    std::optional<State>       borne;           ///< see last_borne
     double                     typical    = 0.; ///< the forces that acted in the equilibria so far, N
     double                     start_norm = 0.; ///< of the residual at the start of the step, N
     Vector                     residual, direction, right_hand_side;

@@ -3,7 +3,6 @@
 
 #include <cautery/base/parameters.h>
 
-#include <sstream>
 #include <string>
 
 namespace Cautery::Test
@@ -28,9 +27,7 @@ namespace Cautery::Test
       }
     catch (const Error &exception)
       {
-        std::ostringstream text;
-        exception.print_info(text);
-        return Utilities::trim(text.str());
+        return Cautery::message_of(exception);
       }
     return "ACCEPTED";
   }
