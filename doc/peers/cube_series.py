@@ -7,7 +7,7 @@ k = conductivity (l^2 + m^2 + n^2) pi^2 / L^2 and Eq. 6-8,
 where the sources q are switched on at t = 0 (their impulse gives a'(0)) and the metabolic heat q_m was there before. Fourier's
 model is tau = 0. Only odd modes count: all is symmetric about the middle. Coefficients of the Gaussians by Simpson's rule.
 
-Usage: python3 doc/peers/cube_series.py; prints the exact values as the scenes have them, and what more modes change.
+Usage: python3 doc/peers/cube_series.py; prints them as the scenes have them, and what the last ten modes change.
 """
 import cmath
 import math
@@ -28,15 +28,15 @@ def sine(mode, x):
     return math.sin(mode * math.pi * x / LENGTH)
 
 
-def coefficient(mode, centre):
+def coefficient(mode, centre, radius):
     """Of a Gaussian of integral 1 in one direction, cut off at the surface: 2/L int g(x) sin(mode pi x / L) dx."""
     points = 4000
     step = LENGTH / points
     total = 0.0
     for i in range(1, points):
         weight = 4 if i % 2 else 2
-        total += weight * math.exp(-((i * step - centre) ** 2) / (2 * RADIUS**2)) * sine(mode, i * step)
-    return 2 / LENGTH * total * step / 3 / (RADIUS * math.sqrt(2 * math.pi))
+        total += weight * math.exp(-((i * step - centre) ** 2) / (2 * radius**2)) * sine(mode, i * step)
+    return 2 / LENGTH * total * step / 3 / (radius * math.sqrt(2 * math.pi))
 
 
 def amplitude(source, constant, decay, tau, time):
@@ -53,10 +53,11 @@ def amplitude(source, constant, decay, tau, time):
     return (steady + c1 * cmath.exp(first * time) + c2 * cmath.exp(second * time)).real
 
 
-def temperatures(tau, highest_mode):
+def temperatures(tau, highest_mode=61, radius=RADIUS):
+    """K, at the TIMES by place; tau in s."""
     modes = range(1, highest_mode + 1, 2)
-    across = {mode: coefficient(mode, MIDDLE) for mode in modes}
-    along = {mode: POWER * sum(coefficient(mode, centre) for centre in CENTRES) for mode in modes}
+    across = {mode: coefficient(mode, MIDDLE, radius) for mode in modes}
+    along = {mode: POWER * sum(coefficient(mode, centre, radius) for centre in CENTRES) for mode in modes}
     even = {mode: 4 / (mode * math.pi) for mode in modes}  # of the constant 1
     result = {place: [START] * len(TIMES) for place in PLACES}
     for l in modes:
@@ -73,13 +74,19 @@ def temperatures(tau, highest_mode):
     return result
 
 
+def expression(values):
+    """In t, as `Exact values` of a study has it: the value of the output time that is nearest."""
+    ends = [(first + second) / 2 for first, second in zip(TIMES, TIMES[1:])]
+    parts = [f"if(t < {end:g}, {value:.6f}, " for end, value in zip(ends, values)]
+    return f"if(t < 1, {START:g}, " + "".join(parts) + f"{values[-1]:.6f}" + ")" * (len(parts) + 1)
+
+
 def main():
     for model, tau in (("Fourier", 0.0), ("non-Fourier", 16.0)):
-        exact, fewer = temperatures(tau, 61), temperatures(tau, 51)
+        exact, fewer = temperatures(tau), temperatures(tau, 51)
         for place in PLACES:
             change = max(abs(a - b) for a, b in zip(exact[place], fewer[place]))
-            values = ", ".join(f"{value:.6f}" for value in exact[place])
-            print(f"{model} {place} at {TIMES} s: {values} K (51 instead of 61 modes: {change:.1e} K)")
+            print(f"{model} {place}, within {change:.1e} K: {expression(exact[place])}")
 
 
 if __name__ == "__main__":
