@@ -118,8 +118,11 @@ namespace Cautery
   Point<3> Parameters::place(const std::string &name, const std::string &text) const
   {
     const auto parts = Utilities::split_string_list(text, ',');
-    if (parts.size() != 2 && parts.size() != 3)
-      reject(name, text, "a place has two or three coordinates, x, y, z");
+    if (parts.size() < least_coordinates || parts.size() > 3)
+      reject(name,
+             text,
+             least_coordinates == 3 ? "a place has three coordinates, x, y, z" :
+                                      "a place has two or three coordinates, x, y, z");
     Point<3> place;
     for (unsigned int d = 0; d < parts.size(); ++d)
       place[d] = number(name, parts[d], Bounds::any());

@@ -87,6 +87,11 @@ namespace Cautery
       {
         relaxation.full.reinit(conduction.full);
         relaxation.reduced.reinit(conduction.reduced);
+        if (properties_change)
+          {
+            relaxation_excess.full.reinit(conduction.full);
+            relaxation_excess.reduced.reinit(conduction.reduced);
+          }
         bookkeeping.capacity.reinit(conduction.full);
         bookkeeping.exchange.reinit(conduction.full);
       }
@@ -145,6 +150,11 @@ namespace Cautery
       {
         sum.equ(tau, terms.capacity);
         add(relaxation, sum);
+        if (properties_change)
+          {
+            sum.equ(tau, terms.capacity_excess);
+            add(relaxation_excess, sum);
+          }
         nothing_fixed.distribute_local_to_global(terms.capacity, terms.dofs, bookkeeping.capacity);
         nothing_fixed.distribute_local_to_global(terms.exchange, terms.dofs, bookkeeping.exchange);
       }
@@ -168,7 +178,7 @@ namespace Cautery
   template <int dim>
   void Heat<dim>::assemble(const Vector *before, const Vector *now, const Vector *ln_damage)
   {
-    for (auto *matrix : {&relaxation, &storage, &storage_excess, &conduction})
+    for (auto *matrix : {&relaxation, &relaxation_excess, &storage, &storage_excess, &conduction})
       {
         matrix->full    = 0.;
         matrix->reduced = 0.;
@@ -202,7 +212,7 @@ namespace Cautery
   void Heat<dim>::finish()
   {
     assembled = true;
-    for (auto *matrix : {&relaxation, &storage, &storage_excess, &conduction})
+    for (auto *matrix : {&relaxation, &relaxation_excess, &storage, &storage_excess, &conduction})
       {
         matrix->full.compress(VectorOperation::add);
         matrix->reduced.compress(VectorOperation::add);

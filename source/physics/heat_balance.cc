@@ -54,10 +54,12 @@ namespace Cautery
       displacement_then = start.displacement;
     if (heat.relaxes())
       {
-        delayed          = start.temperature;
-        delayed_integral = heat.nodes().vector();
         if (heat.changes())
           heat.refresh(start, start.temperature);
+        delayed          = conducting(start.temperature);
+        delayed_integral = heat.nodes().vector();
+        if (rule == Rule::trapezoid)
+          last_conducting = delayed;
         first_flux = heat.books().blood_source;
         first_flux += heat.books().metabolism;
         heat.loads().add_last(start.time, first_flux);
@@ -102,7 +104,7 @@ namespace Cautery
     heat.loads().record(step, !implicit, delivered, received);
     temperature_integral.add(0.5 * dt, before, 0.5 * dt, now.temperature);
     if (heat.relaxes())
-      relax(dt, before, now.temperature);
+      relax(dt, now.temperature);
     if (heat.is_limited())
       lend(dt);
     if (!implicit)
@@ -111,10 +113,26 @@ namespace Cautery
       flush(now);
   }
 
+  /// What the lag delays: the heat that is conducted off, W per node; where K is constant, the temperature,
+  /// which K need then be multiplied with at outputs only.
   template <int dim>
-  void HeatBalance<dim>::relax(const double dt, const Vector &before, const Vector &now)
+  Vector HeatBalance<dim>::conducting(const Vector &temperature) const
+  {
+    if (!heat.changes())
+      return temperature;
+    Vector result = temperature, exchanged = temperature;
+    heat.stiffness().full.vmult(result, temperature);
+    heat.books().exchange.vmult(exchanged, temperature);
+    result -= exchanged; // blood and convection act at once
+    return result;
+  }
+
+  template <int dim>
+  void HeatBalance<dim>::relax(const double dt, const Vector &temperature)
   {
     const bool    implicit = rule == Rule::end_of_step;
+    const Vector  now      = conducting(temperature);
+    const Vector &before   = implicit ? now : last_conducting;
     const double *tau      = heat.books().delay.begin();
     double *const Y        = delayed.begin();
     double *const integral = delayed_integral.begin();
@@ -123,12 +141,12 @@ namespace Cautery
     double        sum_flux = 0.;
     for (unsigned int i = 0; i < delayed.locally_owned_size(); ++i)
       {
-        // tau (Y - Y_before) / dt + Y = T, at the end of the step or with the means of both ends
+        // tau (Y - Y_before) / dt + Y = X, at the end of the step or with the means of both ends
         const double r     = tau[i] / dt;
         const double Y_old = Y[i];
-        const double T     = now.begin()[i];
-        Y[i]               = implicit ? (r * Y_old + T) / (r + 1.) :
-                                        ((r - 0.5) * Y_old + 0.5 * (T + before.begin()[i])) / (r + 0.5);
+        const double X     = now.begin()[i];
+        Y[i]               = implicit ? (r * Y_old + X) / (r + 1.) :
+                                        ((r - 0.5) * Y_old + 0.5 * (X + before.begin()[i])) / (r + 0.5);
         integral[i] += dt * (implicit ? Y[i] : 0.5 * (Y[i] + Y_old));
 
         const double flux_old = flux[i];
@@ -137,6 +155,8 @@ namespace Cautery
         rest[i] -= carried;
         sum_flux += carried;
       }
+    if (!implicit)
+      last_conducting = now;
     first += Utilities::MPI::sum(sum_flux, heat.nodes().communicator());
   }
 
@@ -169,16 +189,12 @@ namespace Cautery
     (heat.relaxes() ? books.capacity : heat.damping()->full).vmult(product, change);
     stored += sum(product);
     left -= product;
-    heat.stiffness().full.vmult(product, heat.relaxes() ? delayed_integral : temperature_integral);
-    left -= product;
     if (heat.relaxes())
+      flush_delayed();
+    else
       {
-        // blood and convection act on T itself, not on Y
-        change = temperature_integral;
-        change -= delayed_integral;
-        books.exchange.vmult(product, change);
+        heat.stiffness().full.vmult(product, temperature_integral);
         left -= product;
-        delayed_integral = 0.;
       }
     if (feedback != nullptr)
       {
@@ -198,6 +214,21 @@ namespace Cautery
     since                = now.time;
     temperature_then     = now.temperature;
     temperature_integral = 0.;
+  }
+
+  template <int dim>
+  void HeatBalance<dim>::flush_delayed()
+  {
+    Vector product = delayed_integral, at_once = temperature_integral;
+    if (!heat.changes())
+      {
+        heat.stiffness().full.vmult(product, delayed_integral);
+        at_once -= delayed_integral; // K has blood and convection in it, which act on T itself
+      }
+    left -= product;
+    heat.books().exchange.vmult(product, at_once);
+    left -= product;
+    delayed_integral = 0.;
   }
 
   template <int dim>
@@ -244,6 +275,7 @@ namespace Cautery
     archive.nodal("first flux", first_flux);
     archive.nodal("delayed temperature", delayed);
     archive.nodal("integral of delayed temperature", delayed_integral);
+    archive.nodal("last conducted", last_conducting);
   }
 
   template class HeatBalance<2>;

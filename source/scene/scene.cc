@@ -89,6 +89,7 @@ namespace Cautery
     {
       p.entry("Title", scene.title, "What the scene is about");
       p.entry("Dimension", scene.dimension, "Dimension of space; 2: plane strain", Bounds::between(2, 3));
+      p.require_coordinates(scene.dimension);
       p.section("Mesh", [&]() { scene.mesh.parameters(p); });
       p.section("Effects", [&]() { scene.effects.parameters(p); });
       p.section("Initial state", [&]() {

@@ -40,6 +40,7 @@ VALUES = [
     value(f"{TISSUE}/Conductivity", "T=300", EXPRESSION.replace("x,y,z,t", "T") + "nothing can be assigned; compare with =="),
     value(f"{NEEDLE}/Power", "2 * (3", EXPRESSION + "Missing parenthesis"),
     value(f"{NEEDLE}/Places", "0.005", PLACE),
+    value(f"{NEEDLE}/Places", "0.005, 0.005", PLACE),
     value(f"{NEEDLE}/Places", "", "a point source needs at least one place"),
     value("Mesh/Subdivisions", "2.5", "these are whole numbers"),
     value("Mesh/Subdivisions", "0", "it must be >= 1 and <= 10000"),

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wrong with how a case ended: a list of texts."""
+import array
+import base64
 import csv
 import json
 import math
 import re
+import zlib
 
 # What the standard library and others say, which names neither an entry nor a place
 VAGUE = re.compile(r"std::|bad_alloc|vector::|basic_string|\bsto[a-z]+$|map::at|\[json\.|bad_variant|regex_|filesystem error|boost::|"
@@ -24,6 +27,18 @@ def wrong_numbers(value, path):
     return [path] if isinstance(value, float) and not math.isfinite(value) else []
 
 
+def wrong_fields(file):
+    """Arrays of a .vtu file that hold what is not a number (beyond single precision's range they may be infinite)."""
+    found = []
+    pattern = r'<DataArray type="Float32"(?: Name="([^"]*)")?[^>]*format="binary">\s*([A-Za-z0-9+/=]+)'
+    for name, text in re.findall(pattern, file.read_text(errors="replace")):
+        # four words of a header (one block, its size, again, its size when compressed), then the block
+        data = zlib.decompress(base64.b64decode(text[24:]))
+        if any(map(math.isnan, array.array("f", data))):
+            found.append(f"{file.name}: {name or 'a place'} is not a number")
+    return found
+
+
 def wrong_results(out, status):
     """Of the files of a run that ended with @p status."""
     if not (out / "summary.json").exists():
@@ -42,6 +57,8 @@ def wrong_results(out, status):
                 number = float(text)
                 if not math.isfinite(number) and number != NO_NUMBER.get(column):
                     found.append(f"probes.csv: {column} = {text} at {row['time_s']} s")
+    for file in out.glob("*.vtu"):
+        found += wrong_fields(file)
     return found[:5]
 
 

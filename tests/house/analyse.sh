@@ -17,8 +17,8 @@ clang-tidy)
   shift
   commands=$(mktemp --directory)
   trap 'rm -rf "$commands"' EXIT
-  # clang cannot read GCC's precompiled headers
-  sed -E 's/-include [^ ]*cmake_pch\.hxx//; s/-fpch-preprocess|-fschedule-insns|-fsched-pressure//g' build/compile_commands.json >"$commands/compile_commands.json"
+  # clang reads neither GCC's precompiled headers nor all of its flags; warnings are the compiler's business
+  sed -E 's/-include [^ ]*cmake_pch\.hxx//; s/ -(W|f)[^ ",]*//g' build/compile_commands.json >"$commands/compile_commands.json"
   files=("$@")
   [ ${#files[@]} -gt 0 ] || mapfile -t files < <(find source -name '*.cc' -not -path '*/lanes/*' | sort)
   printf '%s\n' "${files[@]}" | xargs --max-procs="$(nproc)" --max-args=1 clang-tidy-14 --quiet -p "$commands"

@@ -135,6 +135,9 @@ namespace Cautery
           value = choice.second;
     }
 
+    /** Of places that are read from now on, at least. */
+    void require_coordinates(const unsigned int number) { least_coordinates = number; }
+
     bool reading() const { return mode == Mode::read; }
 
     /** "Section/Subsection/Entry", as messages name it. */
@@ -158,6 +161,7 @@ namespace Cautery
 
     ParameterHandler        &handler;
     const Mode               mode;
+    unsigned int             least_coordinates = 2;
     std::vector<std::string> sections;
   };
 

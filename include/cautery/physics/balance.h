@@ -45,6 +45,8 @@ namespace Cautery
     /** What Newton's method adds to C where that is a mean over the step: d(C x')/dx' - C; nullptr: nothing.
      */
     virtual const ConstrainedMatrix *damping_excess() const { return nullptr; }
+    /** The same for M: d(M x')/dx' - M. */
+    virtual const ConstrainedMatrix *inertia_excess() const { return nullptr; }
 
     /** Its part of the state: x and, where the state keeps it, x' (or nullptr). */
     virtual Vector State::*unknown() const = 0;

@@ -41,6 +41,10 @@ namespace Cautery
     {
       return properties_change ? &storage_excess : nullptr;
     }
+    const ConstrainedMatrix *inertia_excess() const override
+    {
+      return properties_change && non_fourier ? &relaxation_excess : nullptr;
+    }
     Vector State::*unknown() const override { return &State::temperature; }
     Vector State::*rate() const override { return non_fourier ? &State::temperature_rate : nullptr; }
 
@@ -121,10 +125,11 @@ namespace Cautery
     const IndexSet            kept;
     AffineConstraints<double> nothing_fixed;
     HeatLoads<dim>            outside;
-    ConstrainedMatrix         relaxation;     ///< M
-    ConstrainedMatrix         storage;        ///< C
-    ConstrainedMatrix         storage_excess; ///< with properties that change only
-    ConstrainedMatrix         conduction;     ///< K
+    ConstrainedMatrix         relaxation;        ///< M
+    ConstrainedMatrix         relaxation_excess; ///< with properties that change only
+    ConstrainedMatrix         storage;           ///< C
+    ConstrainedMatrix         storage_excess;    ///< with properties that change only
+    ConstrainedMatrix         conduction;        ///< K
     Vector                    inside; ///< int (w T_b + Q_met) N and, where Q_met changes, tau dQ_met/dt; W
     Bookkeeping               bookkeeping;
     bool                      assembled = false;

@@ -68,9 +68,11 @@ namespace Cautery
 
   private:
     double heat_content(const Vector &temperature) const;
-    void   relax(const double dt, const Vector &before, const Vector &now);
+    Vector conducting(const Vector &temperature) const;
+    void   relax(const double dt, const Vector &temperature);
     void   lend(const double dt);
     void   flush(const State &now);
+    void   flush_delayed();
 
     Heat<dim>                        &heat;
     const ThermoelasticFeedback<dim> *feedback;
@@ -96,7 +98,8 @@ namespace Cautery
     Vector displacement_then;    ///< m
     Vector temperature_integral; ///< int T dt, K s
     Vector first_flux;           ///< what is left of the first flux, W per node; non-Fourier only
-    Vector delayed;              ///< Y, K; non-Fourier only
-    Vector delayed_integral;     ///< int Y dt
+    Vector delayed;              ///< what `conducting` gives, with the lag; non-Fourier only
+    Vector delayed_integral;     ///< of it, over time
+    Vector last_conducting;      ///< of the last step; trapezoid only
   };
 } // namespace Cautery
