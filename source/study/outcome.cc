@@ -22,6 +22,8 @@ namespace Cautery
 
     /// A run so short may be made once more.
     constexpr double negligible = 0.5; // s
+    /// The processor's clock may not see less, s.
+    constexpr double shortest = 1e-3;
 
     std::string content(const std::string &file_name)
     {
@@ -92,7 +94,8 @@ namespace Cautery
       Cost::forget_peak_memory();
       try
         {
-          return run_scene(scene, communicator, folder, Voice::silent).processor_seconds;
+          const double seconds = run_scene(scene, communicator, folder, Voice::silent).processor_seconds;
+          return std::max(shortest, seconds);
         }
       catch (const ExcRun &)
         {

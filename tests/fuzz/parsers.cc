@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Reads standard input by one of the program's own parsers, for AFL++: see doc/fuzzing.md. The first line names the
-// parser, the rest is its text. Ends with 0 whether the text is taken or refused; anything else than a refusal with a
-// reason is a fault.
+// Reads standard input by one of the program's own parsers, for AFL++: see doc/fuzzing.md. The first line
+// names the parser, the rest is its text. Ends with 0 whether the text is taken or refused; anything else
+// than a refusal with a reason is a fault.
 #include <cautery/scene/scene.h>
 #include <cautery/study/quantity.h>
 #include <cautery/study/variant.h>
