@@ -7,7 +7,7 @@ k = conductivity (l^2 + m^2 + n^2) pi^2 / L^2 and Eq. 6-8,
 where the sources q are switched on at t = 0 (their impulse gives a'(0)) and the metabolic heat q_m was there before. Fourier's
 model is tau = 0. Only odd modes count: all is symmetric about the middle. Coefficients of the Gaussians by Simpson's rule.
 
-Usage: python3 doc/peers/cube_series.py; prints them as the scenes have them, and what the last ten modes change.
+Usage: python3 doc/peers/cube_series.py; prints them as the scenes have them, and what modes 53 to 61 change.
 """
 import cmath
 import math

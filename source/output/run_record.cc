@@ -71,7 +71,7 @@ namespace Cautery
 
     Json errors_json(const RunRecord &record)
     {
-      Json json;
+      Json json = Json::object();
       for (const auto &[name, error] : record.time_errors)
         json["time"][name] = {{"steps", error.steps},
                               {"largest_of_a_step_" + unit(name), error.largest},

@@ -56,10 +56,10 @@ namespace Cautery
       {
         if (heat.changes())
           heat.refresh(start, start.temperature);
-        delayed          = conducting(start.temperature);
+        delayed          = heat.changes() ? conducted(start.temperature) : start.temperature;
         delayed_integral = heat.nodes().vector();
-        if (rule == Rule::trapezoid)
-          last_conducting = delayed;
+        if (rule == Rule::trapezoid && heat.changes())
+          last_conducted = delayed;
         first_flux = heat.books().blood_source;
         first_flux += heat.books().metabolism;
         heat.loads().add_last(start.time, first_flux);
@@ -76,21 +76,30 @@ namespace Cautery
       }
   }
 
+  /// Beyond that of a body at the temperature @p base (K), J: the difference of enthalpy.
   template <int dim>
-  double HeatBalance<dim>::heat_content(const Vector &temperature) const
+  double HeatBalance<dim>::heat_content(const State &state, const double base)
   {
-    Vector product = temperature;
-    (heat.relaxes() ? heat.books().capacity : heat.damping()->full).vmult(product, temperature);
+    if (heat.changes())
+      {
+        State even       = state;
+        even.temperature = base;
+        heat.refresh(even, state.temperature);
+      }
+    Vector above = state.temperature, product = state.temperature;
+    above.add(-base);
+    (heat.relaxes() ? heat.books().capacity : heat.damping()->full).vmult(product, above);
     return sum(product);
   }
 
   template <int dim>
   void HeatBalance<dim>::go_on(HeatBalance &before, const State &last, const State &start)
   {
-    past = before.totals(last);
+    past              = before.totals(last);
+    const double base = last.temperature.mean_value();
+    const double made = heat_content(start, base) - before.heat_content(last, base);
     if (heat.changes())
       heat.refresh(start, start.temperature);
-    const double made = heat_content(start.temperature) - before.heat_content(last.temperature);
     past.adaption += made;
     past.stored += made;
   }
@@ -113,17 +122,14 @@ namespace Cautery
       flush(now);
   }
 
-  /// What the lag delays: the heat that is conducted off, W per node; where K is constant, the temperature,
-  /// which K need then be multiplied with at outputs only.
+  /// What is conducted off, W per node. Blood and convection, which K has too, act at once.
   template <int dim>
-  Vector HeatBalance<dim>::conducting(const Vector &temperature) const
+  Vector HeatBalance<dim>::conducted(const Vector &temperature) const
   {
-    if (!heat.changes())
-      return temperature;
-    Vector result = temperature, exchanged = temperature;
+    Vector result = heat.nodes().vector(), exchanged = heat.nodes().vector();
     heat.stiffness().full.vmult(result, temperature);
     heat.books().exchange.vmult(exchanged, temperature);
-    result -= exchanged; // blood and convection act at once
+    result -= exchanged;
     return result;
   }
 
@@ -131,8 +137,9 @@ namespace Cautery
   void HeatBalance<dim>::relax(const double dt, const Vector &temperature)
   {
     const bool    implicit = rule == Rule::end_of_step;
-    const Vector  now      = conducting(temperature);
-    const Vector &before   = implicit ? now : last_conducting;
+    const Vector  product  = heat.changes() ? conducted(temperature) : Vector();
+    const Vector &now      = heat.changes() ? product : temperature;
+    const Vector &before   = implicit ? now : heat.changes() ? last_conducted : last_temperature;
     const double *tau      = heat.books().delay.begin();
     double *const Y        = delayed.begin();
     double *const integral = delayed_integral.begin();
@@ -155,8 +162,8 @@ namespace Cautery
         rest[i] -= carried;
         sum_flux += carried;
       }
-    if (!implicit)
-      last_conducting = now;
+    if (!implicit && heat.changes())
+      last_conducted = now;
     first += Utilities::MPI::sum(sum_flux, heat.nodes().communicator());
   }
 
@@ -273,9 +280,9 @@ namespace Cautery
     archive.nodal("displacement at the last flush", displacement_then);
     archive.nodal("integral of temperature", temperature_integral);
     archive.nodal("first flux", first_flux);
-    archive.nodal("delayed temperature", delayed);
-    archive.nodal("integral of delayed temperature", delayed_integral);
-    archive.nodal("last conducted", last_conducting);
+    archive.nodal("delayed", delayed);
+    archive.nodal("integral of delayed", delayed_integral);
+    archive.nodal("last conducted", last_conducted);
   }
 
   template class HeatBalance<2>;

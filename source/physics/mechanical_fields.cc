@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/parameters.h>
+#include <cautery/physics/cell_derivatives.h>
 #include <cautery/physics/mechanical_fields.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+#include <optional>
 
 namespace Cautery
 {
@@ -82,6 +91,29 @@ namespace Cautery
     }
   } // namespace
 
+  namespace
+  {
+    template <int dim>
+    void require_stress(const std::optional<unsigned int> &without,
+                        const Field<dim>                  &displacement,
+                        const double                       time)
+    {
+      const auto found = Utilities::MPI::min_max_avg(without ? 1. : 0., displacement.communicator());
+      if (found.max == 0.)
+        return;
+      const Point<3> place =
+        Utilities::MPI::broadcast(displacement.communicator(),
+                                  without ? node_places(displacement)[*without] : Point<3>(),
+                                  found.max_index);
+      AssertThrow(false,
+                  ExcRun("stress and strain energy have no value at t = " + to_text(time) +
+                         " s at the node " + to_text(place[0]) + ", " + to_text(place[1]) + ", " +
+                         to_text(place[2]) +
+                         " m, around which the deformation is turned inside out; "
+                         "refine the mesh there, or load the body less or in smaller steps"));
+    }
+  } // namespace
+
   template <int dim>
   MechanicalRecovery<dim>::MechanicalRecovery(const Scene               &scene,
                                               const NodalGradients<dim> &gradients,
@@ -103,50 +135,110 @@ namespace Cautery
   }
 
   template <int dim>
-  PointMechanics<dim> MechanicalRecovery<dim>::at_piece(const unsigned int    p,
-                                                        const Tensor<2, dim> &gradient,
-                                                        const State          &state) const
+  PointMechanics<dim> MechanicalRecovery<dim>::mechanics(const unsigned int            t,
+                                                         const unsigned int            node,
+                                                         const Tensor<2, dim>         &gradient,
+                                                         const ElasticLaw::Directions &along,
+                                                         const State                  &state) const
   {
-    const auto  &piece  = gradients.pieces()[p];
-    const auto  &tissue = tissues.tissue(piece.tissue);
+    const auto  &tissue = tissues.tissue(t);
     const double temperature =
-      expands ? state.temperature.begin()[piece.node] : tissue.expansion.reference_temperature;
-    if (elasticities.empty() || elasticities[piece.tissue].is_linear())
+      expands ? state.temperature.begin()[node] : tissue.expansion.reference_temperature;
+    if (elasticities.empty() || elasticities[t].is_linear())
       return small_deformation(tissue, gradient, temperature, expands);
-    return large_deformation<dim>(elasticities[piece.tissue].law(temperature),
+    return large_deformation<dim>(elasticities[t].law(temperature),
                                   in_space(gradient),
-                                  directions[p],
-                                  elasticities[piece.tissue].thermal_strain(temperature),
+                                  along,
+                                  elasticities[t].thermal_strain(temperature),
                                   measure);
   }
 
   template <int dim>
   MechanicalFields<dim> MechanicalRecovery<dim>::evaluate(const State &state) const
   {
-    const auto            values  = gradients.evaluate(displacement, state.displacement);
-    const auto           &pieces  = gradients.pieces();
-    const unsigned int    n_nodes = displacement.owned().n_elements() / dim;
-    MechanicalFields<dim> fields;
-    fields.strain.resize(n_nodes);
-    fields.stress.resize(n_nodes);
-    fields.strain_energy.assign(n_nodes, 0.);
-    fields.thermal_strain_energy.assign(n_nodes, 0.);
-
+    const auto                   values = gradients.evaluate(displacement, state.displacement);
+    const auto                  &pieces = gradients.pieces();
+    MechanicalFields<dim>        fields(displacement.owned().n_elements() / dim);
+    const ElasticLaw::Directions none{};
     for (unsigned int p = 0; p < pieces.size(); ++p)
       {
         Tensor<2, dim> gradient;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             gradient[c][d] = values[(p * dim + c) * dim + d];
-        const auto   point = at_piece(p, gradient, state);
-        const auto   node  = pieces[p].node;
-        const double share = pieces[p].share;
-        fields.strain[node] += share * point.strain;
-        fields.stress[node] += share * point.stress;
-        fields.strain_energy[node] += share * point.strain_energy;
-        fields.thermal_strain_energy[node] += share * point.thermal_strain_energy;
+        fields.add(
+          pieces[p].node,
+          pieces[p].share,
+          mechanics(
+            pieces[p].tissue, pieces[p].node, gradient, directions.empty() ? none : directions[p], state));
       }
+    if (!elasticities.empty())
+      mend(state, fields);
     return fields;
+  }
+
+  /**
+   * Where the gradient, averaged over the cells around a node, is turned inside out although each of them is
+   * well, no law knows a stress: there stress and energies are averages of those at the cells' centres.
+   */
+  template <int dim>
+  void MechanicalRecovery<dim>::mend(const State &state, MechanicalFields<dim> &fields) const
+  {
+    std::map<unsigned int, double> volumes; // around the nodes without stress, m^dim
+    for (unsigned int node = 0; node < fields.strain_energy.size(); ++node)
+      if (!std::isfinite(fields.strain_energy[node]))
+        volumes[node] = 0.;
+    if (Utilities::MPI::max(volumes.size(), displacement.communicator()) == 0)
+      return;
+    const auto parts = in_cells(state, volumes);
+    for (const auto &[node, volume] : volumes)
+      {
+        fields.stress[node]                = 0.;
+        fields.strain_energy[node]         = 0.;
+        fields.thermal_strain_energy[node] = 0.;
+      }
+    for (const auto &part : parts)
+      fields.add_stress(part.node, part.volume / volumes.at(part.node), part.point);
+    std::optional<unsigned int> without;
+    for (const auto &[node, volume] : volumes)
+      if (!std::isfinite(fields.strain_energy[node]))
+        without = node;
+    require_stress(without, displacement, state.time);
+  }
+
+  /// At the centres of all cells around the nodes that @p volumes has, whose volumes are added there.
+  template <int dim>
+  std::vector<typename MechanicalRecovery<dim>::CellPart>
+  MechanicalRecovery<dim>::in_cells(const State &state, std::map<unsigned int, double> &volumes) const
+  {
+    const Vector  ghosted = displacement.ghosted(state.displacement);
+    const auto   &fe      = displacement.element();
+    FEValues<dim> at(displacement.mapping(), fe, cell_centre(displacement.mesh()), update_gradients);
+    std::vector<Tensor<2, dim>>          gradient(1);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<CellPart>                parts;
+    for (const auto &cell : displacement.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            if (fe.system_to_component_index(i).first != 0 || !displacement.owned().is_element(dofs[i]))
+              continue;
+            const unsigned int node   = displacement.owned().index_within_set(dofs[i]) / dim;
+            const auto         around = volumes.find(node);
+            if (around == volumes.end())
+              continue;
+            at.reinit(cell);
+            at[FEValuesExtractors::Vector(0)].get_function_gradients(ghosted, gradient);
+            const unsigned int t     = tissues.index(cell->material_id());
+            const auto         along = elasticities[t].directions(in_space<dim>(cell->center()));
+            parts.push_back({node, cell->measure(), mechanics(t, node, gradient[0], along, state)});
+            around->second += cell->measure();
+          }
+      }
+    return parts;
   }
 
   template class MechanicalRecovery<2>;

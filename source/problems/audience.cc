@@ -38,18 +38,30 @@ namespace Cautery
   template <int dim>
   void Audience<dim>::look(const State &state, Problem<dim> &problem)
   {
+    std::optional<Vector> unbalanced;
+    if (scene.output.reactions)
+      {
+        const auto scope = cost.measure("deformation: reactions");
+        unbalanced       = problem.unbalanced_forces(state);
+      }
+    look(state, problem, unbalanced);
+  }
+
+  template <int dim>
+  void Audience<dim>::look(const BorneLoad &borne, Problem<dim> &problem)
+  {
+    look(borne.state, problem, borne.unbalanced_forces);
+  }
+
+  template <int dim>
+  void Audience<dim>::look(const State &state, Problem<dim> &problem, const std::optional<Vector> &unbalanced)
+  {
     follow(state);
     std::optional<MechanicalFields<dim>> mechanical;
     if (problem.displacement() != nullptr)
       {
         const auto scope = cost.measure("deformation: strain and stress");
         mechanical       = problem.mechanical_fields(state);
-      }
-    std::optional<Vector> unbalanced;
-    if (scene.output.reactions)
-      {
-        const auto scope = cost.measure("deformation: reactions");
-        unbalanced       = problem.unbalanced_forces(state);
       }
     std::optional<GradientErrors> errors; // as dear as a step or two: where it is seen only
     if (scene.output.fields || state.time >= scene.time.end)

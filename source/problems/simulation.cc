@@ -68,8 +68,7 @@ namespace Cautery
       {
         if (!all_processes_come(communicator))
           throw; // nothing more can be done together
-        end_failed(directory, failure, progress);
-        throw;
+        AssertThrow(false, ExcRun(end_failed(directory, failure, progress)));
       }
     const std::string message =
       stopped ? "stopped by a signal at t = " + to_text(state.time) + " s; " +
@@ -92,6 +91,7 @@ namespace Cautery
       progress.log_to(directory + "/log.txt");
       progress.say(description(scene, *body, *problem));
     }
+    audience->follow(state);
     observe(state);
   }
 
@@ -156,24 +156,23 @@ namespace Cautery
     return true;
   }
 
+  /// What is to be said of it.
   template <int dim>
-  void Simulation<dim>::end_failed(const std::string &directory, const ExcRun &failure, Progress &progress)
+  std::string
+  Simulation<dim>::end_failed(const std::string &directory, const ExcRun &failure, Progress &progress)
   {
     std::string message = message_of(failure);
     try
       {
         observe_last_good();
-        if (const State *borne = problem->last_borne())
-          {
-            audience->look(*borne, *problem);
-            message += "; the last load that was borne is written as t = " + to_text(borne->time) + " s";
-          }
+        message += observe_last_borne();
         finish(last_good, directory, "failed", message, progress);
       }
     catch (const ExcRun &)
       {
         // a full disk takes nothing more: the reason is told, and what was written before stands
       }
+    return message;
   }
 
   template <int dim>
@@ -273,6 +272,24 @@ namespace Cautery
     catch (const ExcRun &)
       {
         // What an output adds to the state may fail as the step did: the outputs before it stand.
+      }
+  }
+
+  /// What is to be said of it.
+  template <int dim>
+  std::string Simulation<dim>::observe_last_borne()
+  {
+    const BorneLoad *borne = problem->last_borne();
+    if (borne == nullptr)
+      return {};
+    try
+      {
+        audience->look(*borne, *problem);
+        return "; the last load that was borne is written as t = " + to_text(borne->state.time) + " s";
+      }
+    catch (const ExcRun &)
+      {
+        return {}; // as above
       }
   }
 

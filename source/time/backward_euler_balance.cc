@@ -42,9 +42,9 @@ namespace Cautery
     force -= product;
     if (equation.inertia() != nullptr)
       {
-        if (momentum.size() == 0)
+        if (!equation.changes())
           equation.inertia()->full.vmult(product, state.*equation.rate());
-        force.add(1. / step.length(), momentum.size() == 0 ? product : momentum);
+        force.add(1. / step.length(), equation.changes() ? momentum : product);
       }
     if (!prescribed_met)
       {
@@ -100,12 +100,26 @@ namespace Cautery
       }
     if (equation.rate() != nullptr)
       state.*equation.rate() = free_rate;
-    if (equation.inertia() != nullptr && equation.changes())
-      {
-        momentum.reinit(free_rate);
-        equation.inertia()->full.vmult(momentum, free_rate);
-      }
+    keep_momentum(free_rate);
     prescribed_met = !equation.prescription_changes();
+  }
+
+  /// M v, with M as it is, where that changes.
+  void BackwardEulerBalance::keep_momentum(const Vector &free_rate)
+  {
+    if (equation.inertia() == nullptr || !equation.changes())
+      return;
+    momentum.reinit(free_rate);
+    equation.inertia()->full.vmult(momentum, free_rate);
+  }
+
+  /// Before the first step of a run, or on a new mesh.
+  void BackwardEulerBalance::start_momentum(const State &state)
+  {
+    if (equation.inertia() == nullptr || !equation.changes() || momentum.size() > 0)
+      return;
+    refresh(state, state.*equation.unknown());
+    keep_momentum(state.*equation.rate());
   }
 
   void BackwardEulerBalance::refresh(const State &state, const Vector &iterate)
@@ -135,6 +149,7 @@ namespace Cautery
                                                   const State                     &state,
                                                   const std::function<Vector &()> &solve)
   {
+    start_momentum(state);
     if (!equation.depends_on_iterate())
       {
         if (equation.changes())
@@ -241,6 +256,7 @@ namespace Cautery
 
   void BackwardEulerBalance::advance(const Step &step, State &state)
   {
+    start_momentum(state);
     if (equation.depends_on_iterate())
       {
         iterate(step, state);

@@ -6,15 +6,9 @@
 
 namespace Cautery
 {
-  namespace
-  {
-    /// Of what is left over along a direction at the start of a search, at its end beyond the goal.
-    constexpr double       flattened     = 0.5;
-    constexpr unsigned int most_attempts = 12;
-  } // namespace
-
   void follow_to_balance(const double start, const std::function<double(const double)> &lack_at)
   {
+    using namespace LineSearch;
     double near = 0., far = 1., lack_near = start, lack_far = lack_at(far);
     if (lack_far >= -flattened * start)
       return;

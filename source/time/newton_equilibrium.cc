@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/rigid_motions.h>
+#include <cautery/time/line_search.h>
 #include <cautery/time/newton_equilibrium.h>
 
 #include <algorithm>
@@ -14,9 +15,6 @@ namespace Cautery
     constexpr double loosest = 1e-2;
     /// A factorisation of more unknowns fills the memory: the load is halved instead.
     constexpr types::global_dof_index most_to_factorise = 50000;
-    /// Of the energy's slope at the start of a search, at its end.
-    constexpr double       flattened     = 0.5;
-    constexpr unsigned int most_attempts = 12;
   } // namespace
 
   template <int dim>
@@ -61,10 +59,7 @@ namespace Cautery
           }
         step /= 2.;
         if (step < settings.smallest_step && done > 0.)
-          {
-            borne               = State::between(last ? *last : state, state, done);
-            borne->displacement = x;
-          }
+          keep_borne(state, present, x, done);
         AssertThrow(step >= settings.smallest_step,
                     ExcRun("no equilibrium found at t = " + to_text(state.time) + " s beyond " +
                            to_text(100. * done) + " % of the load's change: " + failure +
@@ -72,7 +67,28 @@ namespace Cautery
                            "times, refine the mesh there, or lower Numerics/Newton/Smallest load step"));
       }
     state.displacement = x;
-    last               = state;
+    if (!last)
+      last.emplace();
+    last->time        = state.time;
+    last->temperature = state.temperature;
+  }
+
+  /// A body's first load has no time before it; where it heats the body, there is no temperature for a part.
+  template <int dim>
+  void NewtonEquilibrium<dim>::keep_borne(const State   &asked,
+                                          const Loading &load,
+                                          const Vector  &x,
+                                          const double   share)
+  {
+    if (!last && load.temperature.size() > 0)
+      return;
+    borne                     = BorneLoad{asked, body.unbalanced_forces(x, load)};
+    borne->state.displacement = x;
+    if (!last)
+      return;
+    borne->state.time = last->time + share * (asked.time - last->time);
+    if (asked.temperature.size() > 0)
+      borne->state.temperature.sadd(share, 1. - share, last->temperature);
   }
 
   /// Newton's method from @p x, in equilibrium with @p from, to equilibrium with @p target.
@@ -192,13 +208,13 @@ namespace Cautery
     const Vector                from = x;
     std::optional<InvertedCell> inverted;
     double                      length = 1.;
-    for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
+    for (unsigned int attempt = 0; attempt < LineSearch::most_attempts; ++attempt)
       {
         x = from;
         x.add(length, direction);
         inverted           = find_residual(x, target);
         const double slope = inverted ? std::numeric_limits<double>::infinity() : residual * direction;
-        if (slope <= -flattened * start)
+        if (slope <= -LineSearch::flattened * start)
           return {};
         // between the secant's zero and a tenth of the way; half of it where nothing is known but "too far"
         const double secant = std::isfinite(slope) ? start / (start - slope) : 0.5;
@@ -239,7 +255,10 @@ namespace Cautery
     if (!started)
       return;
     if (archive.restores())
-      last = state; // of the right sizes
+      {
+        last.emplace();
+        last->temperature = state.temperature; // of the right size
+      }
     last->archive(archive);
   }
 

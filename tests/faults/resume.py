@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A run is stopped by SIGTERM twice and resumed: what it leaves is what it would have left, bit for bit, and on another
+"""A run is stopped by SIGTERM three times, first as it begins, and resumed: what it leaves is what it would have left, bit for bit, and on another
 number of processes but for 1e-9. Usage: resume.py CAUTERY CASE PROCESSES [OTHER_PROCESSES]"""
 import pathlib
 import sys
@@ -31,7 +31,8 @@ def main(cautery, name, processes, others):
         program = Program(folder, cautery, processes)
         program.run(words, "whole")
         steps = count_steps(program.out("whole"))
-        stop(program, words, "broken", steps // 5)
+        stop(program, words, "broken", 0)
+        stop(program, words, "broken", steps // 5, "--resume")
         stop(program, words, "broken", steps // 4, "--resume")
         if others is None:
             said = program.run(words, "broken", "--resume")

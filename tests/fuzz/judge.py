@@ -29,14 +29,19 @@ def wrong_numbers(value, path):
 
 def wrong_fields(file):
     """Arrays of a .vtu file that hold what is not a number (beyond single precision's range they may be infinite)."""
-    found = []
+    found, n_arrays = [], 0
     pattern = r'<DataArray type="Float32"(?: Name="([^"]*)")?[^>]*format="binary">\s*([A-Za-z0-9+/=]+)'
     for name, text in re.findall(pattern, file.read_text(errors="replace")):
         # four words of a header (one block, its size, again, its size when compressed), then the block
-        data = zlib.decompress(base64.b64decode(text[24:]))
-        if any(map(math.isnan, array.array("f", data))):
+        n_arrays += 1
+        try:
+            data = array.array("f", zlib.decompress(base64.b64decode(text[24:])))
+        except (zlib.error, ValueError) as error:
+            found.append(f"{file.name}: {name or 'places'} cannot be read: {error}")
+            continue
+        if any(map(math.isnan, data)):
             found.append(f"{file.name}: {name or 'a place'} is not a number")
-    return found
+    return found if n_arrays > 1 else [f"{file.name} has no arrays"]
 
 
 def wrong_results(out, status):

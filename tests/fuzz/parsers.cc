@@ -6,10 +6,9 @@
 #include <cautery/study/quantity.h>
 #include <cautery/study/variant.h>
 
-#include <unistd.h>
+#include <sys/mman.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -20,21 +19,12 @@ namespace
 {
   using namespace Cautery;
 
-  /// A scene is read from a file: here from one in memory.
+  /// A scene is read from a file: here from one in memory, which goes with the process.
   void read_as_scene(const std::string &text)
   {
-    const std::string file_name = "/dev/shm/cautery_parsers_" + std::to_string(getpid()) + ".prm";
+    const std::string file_name = "/proc/self/fd/" + std::to_string(memfd_create("scene", 0));
     std::ofstream(file_name) << text;
-    try
-      {
-        read_scene(file_name, {});
-      }
-    catch (...)
-      {
-        std::filesystem::remove(file_name);
-        throw;
-      }
-    std::filesystem::remove(file_name);
+    read_scene(file_name, {});
   }
 
   void read_expression(const std::string &text)

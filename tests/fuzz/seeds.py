@@ -87,8 +87,8 @@ def scenes():
             for folder in FOLDERS for path in sorted((PROJECT / folder).rglob("*.prm"))]
 
 
-def small(path, text):
-    """The entries, by path, that make a scene small and keep its mesh where it is."""
+def small(path, text, mutated):
+    """The entries, by path, that make a scene small, also as it has been mutated (bytes), and keep its mesh where it is."""
     values = prm.values(text)
     changes = {"Mesh/Refinements": "0", "Time/Largest number of steps": str(MOST), "Accuracy/Temperature within": "0",
                "Numerics/Relaxation/Largest number of steps": "2000", "Output/Fields": "off", "Output/Times": ""}
@@ -98,7 +98,7 @@ def small(path, text):
         numbers = [min(CELLS, int(number)) for number in values["Mesh/Subdivisions"].split(",")]
         changes["Mesh/Subdivisions"] = ", ".join(map(str, numbers))
     step, end = (float(values.get("Time/" + name, default)) for name, default in (("Step", "1"), ("End", "120")))
-    if values.get("Effects/Deformation") == "explicit dynamics":
+    if values.get("Effects/Deformation") == "explicit dynamics" or b"explicit dynamics" in mutated:
         step = min(step, EXPLICIT)
         changes["Time/Step"] = repr(step)
     changes["Time/End"] = repr(min(end, STEPS * step))

@@ -50,6 +50,36 @@ def no_equilibrium(lab):
                   abs(run.end("middle", "displacement_x_m") / again.end("middle", "displacement_x_m") - 1), 1e-8)
 
 
+def jump(lab):
+    """A traction that jumps to more than the body bears: what it bore is a share of the jump."""
+    low, high, area = 1.0, 4000.0, 1e-4  # Pa, Pa, m2
+    drawn = [*PULLED, "Tissues/tissue/Poisson's ratio=0.49", "Boundaries/rest/Mechanical=traction", "Output/Reactions=on"]
+    load = f"if(t > 0.35, {high}, {low})"
+    run = lab.run("block", *drawn, f"Boundaries/moved/Traction={load}; 0; 0",
+                  f"Boundaries/rest/Traction=0; if(y > 0.00999, {load}, 0); if(z > 0.00999, {load}, 0)", status=1)
+    share = 0.01 * float(re.search("beyond (.*) % of", run.complaint).group(1))
+    force = run.reactions[run.last_time(), "held"][0]
+    lab.below("a traction that jumps: force at the support against the load that was borne, relative",
+              abs(force / (-area * (low + share * (high - low))) - 1), 1e-6)
+    lab.says("the same", run.complaint, "the last load that was borne is written as t = 0.35")
+
+
+def at_once(lab):
+    """No equilibrium in the first step, with heat and damage; and none at the start."""
+    grip = ["Tools/Names=forceps", "Tools/forceps/Centre=0.005, 0.005, 0.005", "Tools/forceps/Displacement=if(t < 0.01, 0, 0.01); 0; 0",
+            *(f"Boundaries/{side}/Mechanical=fixed" for side in ("moved", "held", "rest"))]
+    warm = [*(f"Boundaries/{side}/Thermal=insulated" for side in ("moved", "held", "rest")),
+            "Effects/Heat=Fourier", "Effects/Coupling=expansion", "Effects/Damage=Arrhenius", "Numerics/Displacement at=every step"]
+    run = lab.run("block", *grip, *warm, status=1)
+    lab.says("a tool that jumps through warm tissue in the first step", run.complaint, "no equilibrium found at t = 0.05 s beyond ")
+    run = lab.run("block", *grip, "Tools/forceps/Displacement=0.01; 0; 0", status=1)
+    share = 0.01 * float(re.search("at t = 0 s beyond (.*) % of", run.complaint).group(1))
+    lab.below("a tool that is there at the start: its way in the output, against the share that was borne, relative",
+              abs(run.end("middle", "displacement_x_m") / (0.01 * share) - 1), 1e-9)
+
+
 def check(lab):
     stepping(lab)
     no_equilibrium(lab)
+    jump(lab)
+    at_once(lab)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The exact series of the chapter 6 cube: the studies' scenes have its values, and the program converges to it, in both
+"""The exact series of the chapter 6 cube: the studies' scenes have its values, and the program comes near it, in both
 models. Usage: series.py CAUTERY ROOT"""
 import csv
 import pathlib

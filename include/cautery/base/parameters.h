@@ -87,7 +87,7 @@ namespace Cautery
                const std::string   &unit,
                const std::string   &documentation,
                const Bounds        &bounds = Bounds::any());
-    /** A place: x, y, z; in two dimensions z may be left out. */
+    /** A place: x, y, z; in two dimensions z may be left out (see require_coordinates). */
     void entry(const std::string &name,
                Point<3>          &value,
                const std::string &unit,

@@ -31,8 +31,9 @@ namespace Cautery
    * prescribed temperature from the balance of their own nodes. With backward Euler they close to the
    * tolerance of the linear solver; with IDA to the accuracy of its steps.
    *
-   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T and Y = T at the start, besides what
-   * else flowed then and dies out with tau: a body at rest (dT/dt = 0) that makes heat must carry it away.
+   * In the non-Fourier model heat flows as k grad Y with tau Y' + Y = T and Y = T at the start (where k
+   * changes: what is conducted off, K_c T in W per node, is relaxed in the place of T), besides what else
+   * flowed then and dies out with tau: a body at rest (dT/dt = 0) that makes heat must carry it away.
    * Where tau differs between tissues this holds away from their interfaces only.
    */
   template <int dim>
@@ -67,8 +68,8 @@ namespace Cautery
     void archive(Archive &archive);
 
   private:
-    double heat_content(const Vector &temperature) const;
-    Vector conducting(const Vector &temperature) const;
+    double heat_content(const State &state, const double base);
+    Vector conducted(const Vector &temperature) const;
     void   relax(const double dt, const Vector &temperature);
     void   lend(const double dt);
     void   flush(const State &now);
@@ -98,8 +99,8 @@ namespace Cautery
     Vector displacement_then;    ///< m
     Vector temperature_integral; ///< int T dt, K s
     Vector first_flux;           ///< what is left of the first flux, W per node; non-Fourier only
-    Vector delayed;              ///< what `conducting` gives, with the lag; non-Fourier only
+    Vector delayed;              ///< Y, or what is conducted off with the lag: see above; non-Fourier only
     Vector delayed_integral;     ///< of it, over time
-    Vector last_conducting;      ///< of the last step; trapezoid only
+    Vector last_conducted;       ///< W per node, of the last step; trapezoid with a K that changes only
   };
 } // namespace Cautery

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <map>
 #include <vector>
 
 namespace Cautery
@@ -30,6 +31,25 @@ namespace Cautery
   template <int dim>
   struct MechanicalFields
   {
+    explicit MechanicalFields(const unsigned int n_nodes)
+      : strain(n_nodes), stress(n_nodes), strain_energy(n_nodes, 0.), thermal_strain_energy(n_nodes, 0.)
+    {
+    }
+
+    void add(const unsigned int node, const double share, const PointMechanics<dim> &point)
+    {
+      strain[node] += share * point.strain;
+      add_stress(node, share, point);
+    }
+
+    /** And energies. */
+    void add_stress(const unsigned int node, const double share, const PointMechanics<dim> &point)
+    {
+      stress[node] += share * point.stress;
+      strain_energy[node] += share * point.strain_energy;
+      thermal_strain_energy[node] += share * point.thermal_strain_energy;
+    }
+
     std::vector<SymmetricTensor<2, dim>> strain;
     std::vector<SymmetricTensor<2, dim>> stress;
     std::vector<double>                  strain_energy;
@@ -48,8 +68,21 @@ namespace Cautery
     MechanicalFields<dim> evaluate(const State &state) const;
 
   private:
-    PointMechanics<dim>
-    at_piece(const unsigned int piece, const Tensor<2, dim> &gradient, const State &state) const;
+    PointMechanics<dim> mechanics(const unsigned int            tissue,
+                                  const unsigned int            node,
+                                  const Tensor<2, dim>         &gradient,
+                                  const ElasticLaw::Directions &along,
+                                  const State                  &state) const;
+    /// What a cell gives to one of its nodes.
+    struct CellPart
+    {
+      unsigned int        node;
+      double              volume; ///< m^dim
+      PointMechanics<dim> point;
+    };
+
+    void                  mend(const State &state, MechanicalFields<dim> &fields) const;
+    std::vector<CellPart> in_cells(const State &state, std::map<unsigned int, double> &volumes) const;
 
     const bool                          expands;
     const OutputSettings::Stress        measure;

@@ -31,8 +31,10 @@ namespace Cautery
     /** After a step. */
     void follow(const State &state) { extremes.observe(state, dim); }
 
-    /** At an output, of a state that @p problem has completed. Collective. */
+    /** At an output, of a state that @p problem has completed. Collective. Errors: ExcRun. */
     void look(const State &state, Problem<dim> &problem);
+    /** The same, of a part of a load. */
+    void look(const BorneLoad &borne, Problem<dim> &problem);
 
     /** The mesh has been adapted: @p next is in the place of the body so far. Collective. */
     void use(const Body<dim> &next);
@@ -49,6 +51,7 @@ namespace Cautery
     void tell(RunRecord &record) const;
 
   private:
+    void look(const State &state, Problem<dim> &problem, const std::optional<Vector> &unbalanced);
     std::vector<Observer<dim> *> all() const;
     RunRecord::Ablation          ablated() const;
 

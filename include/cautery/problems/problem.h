@@ -6,6 +6,7 @@
 #include <cautery/physics/heat_balance.h>
 #include <cautery/physics/time_error.h>
 #include <cautery/problems/body.h>
+#include <cautery/time/equilibrium.h>
 
 #include <map>
 #include <memory>
@@ -48,7 +49,7 @@ namespace Cautery
     virtual std::optional<HeatTotals> heat_totals(const State &) { return {}; }
 
     /** Where there was no equilibrium: see Equilibrium. */
-    virtual const State *last_borne() const { return nullptr; }
+    virtual const BorneLoad *last_borne() const { return nullptr; }
 
     /** All that it remembers besides @p state, which is that of the archive already. Collective where it
      * brings back. */

@@ -49,21 +49,22 @@ namespace Cautery
     void resume(const std::string &directory, State &state, Progress &progress);
     void archive(Archive &archive, State &state, Progress &progress);
     /// To the end, or until the forecast is made. False where it has been asked to stop.
-    bool      go(State &state, Progress &progress, const bool only_trial);
-    void      end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
-    void      advance(State &state, const double stop, Progress &progress);
-    double    stop_before(const double time) const;
-    void      adapt_mesh(State &state, Progress &progress);
-    void      foretell(const double length, const double seconds, const double time);
-    void      observe(State &state);
-    void      observe_last_good();
-    void      say_step(const State &state, Progress &progress) const; ///< collective
-    RunRecord record(const State &state) const;
-    RunRecord finish(const State       &state,
-                     const std::string &directory,
-                     const std::string &status,
-                     const std::string &message,
-                     Progress          &progress);
+    bool        go(State &state, Progress &progress, const bool only_trial);
+    std::string end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
+    void        advance(State &state, const double stop, Progress &progress);
+    double      stop_before(const double time) const;
+    void        adapt_mesh(State &state, Progress &progress);
+    void        foretell(const double length, const double seconds, const double time);
+    void        observe(State &state);
+    void        observe_last_good();
+    std::string observe_last_borne();
+    void        say_step(const State &state, Progress &progress) const; ///< collective
+    RunRecord   record(const State &state) const;
+    RunRecord   finish(const State       &state,
+                       const std::string &directory,
+                       const std::string &status,
+                       const std::string &message,
+                       Progress          &progress);
 
     const Scene                     &scene;
     const MPI_Comm                   communicator;

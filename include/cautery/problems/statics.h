@@ -22,6 +22,7 @@ namespace Cautery
     std::unique_ptr<Elasticity<dim>>      small; ///< one of the two, or none with dynamic relaxation
     std::unique_ptr<LargeElasticity<dim>> large;
     std::unique_ptr<Equilibrium>          equilibrium; ///< none with inertia
+    const BorneLoad *last_borne() const { return equilibrium ? equilibrium->last_borne() : nullptr; }
     /// see Problem
     std::function<Vector(const State &)> unbalanced_forces;
   };

@@ -18,14 +18,11 @@ namespace Cautery
   public:
     ThermomechanicalProblem(const Scene &scene, const Body<dim> &body, Cost &cost);
 
-    State        start() override;
-    void         go_on(State &state, Problem<dim> &before, const State &last) override;
-    void         step(State &state, const double stop) override;
-    void         complete(State &state) override;
-    const State *last_borne() const override
-    {
-      return statics.equilibrium ? statics.equilibrium->last_borne() : nullptr;
-    }
+    State            start() override;
+    void             go_on(State &state, Problem<dim> &before, const State &last) override;
+    void             step(State &state, const double stop) override;
+    void             complete(State &state) override;
+    const BorneLoad *last_borne() const override { return statics.last_borne(); }
     std::optional<MechanicalFields<dim>> mechanical_fields(const State &state) const override;
     const Field<dim>                    *displacement() const override { return &field; }
     std::optional<Vector>                unbalanced_forces(const State &state) override;

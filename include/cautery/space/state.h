@@ -19,9 +19,6 @@ namespace Cautery
     Vector displacement_rate; ///< m/s, dim per node; inertia or two-way non-Fourier coupling only
     Vector ln_damage;         ///< ln(Omega), nodes
 
-    /** At @p share of the way from @p from to @p to, but for the step, which is that of @p to. */
-    static State between(const State &from, const State &to, const double share);
-
     void archive(Archive &archive)
     {
       archive.shared("time", time);

@@ -59,6 +59,8 @@ namespace Cautery
     void          find_prescribed_rate(const Step &step, const Vector &x);
     void          subtract_prescribed(const Step &step);
     void          drop_prescribed();
+    void          keep_momentum(const Vector &free_rate);
+    void          start_momentum(const State &state);
     void          refresh(const State &state, const Vector &iterate);
     void          iterate(const Step &step, const State &state);
     void          find_residual(const Step &step, const State &state);

@@ -11,6 +11,17 @@
 namespace Cautery
 {
   /**
+   * A part of a load, and the body in equilibrium with it.
+   */
+  struct BorneLoad
+  {
+    /** Time and temperature are at the load's share of the way from the last equilibrium to the one that was
+     * asked for, the rest is as there. */
+    State  state;
+    Vector unbalanced_forces; ///< inner less outer ones, N per unknown, not condensed
+  };
+
+  /**
    * Finds the state in which forces balance, for the time of the state.
    */
   class Equilibrium
@@ -21,11 +32,8 @@ namespace Cautery
     /** Errors: ExcRun with the reason; @p state is then as before. */
     virtual void solve(State &state) = 0;
 
-    /**
-     * Where `solve` has failed on the way from one load to the next: the last load that was borne, as the
-     * state at that share of the way from the last equilibrium; nullptr: none.
-     */
-    virtual const State *last_borne() const { return nullptr; }
+    /** Where `solve` has failed: the last load on the way that was borne; nullptr: none. */
+    virtual const BorneLoad *last_borne() const { return nullptr; }
 
     /** What it remembers of earlier solutions, see Integrator::archive. */
     virtual void archive(Archive &archive, const State &state) = 0;

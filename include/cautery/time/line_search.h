@@ -5,6 +5,13 @@
 
 namespace Cautery
 {
+  namespace LineSearch
+  {
+    /// Of what is left over along a direction at the start, beyond the goal at the end.
+    constexpr double       flattened     = 0.5;
+    constexpr unsigned int most_attempts = 12;
+  } // namespace LineSearch
+
   /**
    * Goes along a direction to its end, or, if the balance along it is overshot by more than half of what it
    * lacked, to about the place where it is met: by false position (Illinois), as at a peak of the capacity it

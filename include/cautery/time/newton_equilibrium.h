@@ -27,7 +27,7 @@ namespace Cautery
                       Cost                       &cost);
 
     void                          solve(State &state) override;
-    const State                  *last_borne() const override { return borne ? &*borne : nullptr; }
+    const BorneLoad              *last_borne() const override { return borne ? &*borne : nullptr; }
     void                          archive(Archive &archive, const State &state) override;
     std::map<std::string, double> statistics() const override;
 
@@ -38,12 +38,13 @@ namespace Cautery
     /// Why a step of the load failed; empty where it did not.
     using Failure = std::string;
 
-    Failure                     iterate(const Loading &from, const Loading &target, Vector &x);
-    Failure                     advance(const Loading &target, const Vector &moves, Vector &x);
-    Failure                     descend(const Loading &target, Vector &x);
-    Failure                     find_direction(const Loading &target, const Vector &moves, const Vector &x);
-    Failure                     factorise_and_solve(const SparseMatrix &tangent);
-    Failure                     search(const Loading &target, Vector &x);
+    void    keep_borne(const State &asked, const Loading &load, const Vector &x, const double share);
+    Failure iterate(const Loading &from, const Loading &target, Vector &x);
+    Failure advance(const Loading &target, const Vector &moves, Vector &x);
+    Failure descend(const Loading &target, Vector &x);
+    Failure find_direction(const Loading &target, const Vector &moves, const Vector &x);
+    Failure factorise_and_solve(const SparseMatrix &tangent);
+    Failure search(const Loading &target, Vector &x);
     std::optional<InvertedCell> find_residual(const Vector &x, const Loading &target);
     /// N, the largest of all equilibria so far.
     double acting_forces(const Loading &target) const;
@@ -54,8 +55,8 @@ namespace Cautery
     const LinearSolverSettings solver_settings;
     Cost                      &cost;
     LinearSolver               solver;
-    std::optional<State>       last;            ///< equilibrium
-    std::optional<State>       borne;           ///< see last_borne
+    std::optional<State>       last; ///< equilibrium: its time and temperature
+    std::optional<BorneLoad>   borne;
     double                     typical    = 0.; ///< the forces that acted in the equilibria so far, N
     double                     start_norm = 0.; ///< of the residual at the start of the step, N
     Vector                     residual, direction, right_hand_side;
