@@ -21,7 +21,7 @@ clang-tidy)
   sed -E 's/-include [^ ]*cmake_pch\.hxx//; s/ -(W|f)[^ ",]*//g' build/compile_commands.json >"$commands/compile_commands.json"
   files=("$@")
   [ ${#files[@]} -gt 0 ] || mapfile -t files < <(find source -name '*.cc' -not -path '*/lanes/*' | sort)
-  printf '%s\n' "${files[@]}" | xargs --max-procs="$(nproc)" --max-args=1 clang-tidy-14 --quiet -p "$commands"
+  printf '%s\n' "${files[@]}" | xargs --max-procs="$(nproc --all)" --max-args=1 clang-tidy-14 --quiet -p "$commands"
   ;;
 *)
   sed -n 's/^# //p' "${BASH_SOURCE[0]}" >&2
