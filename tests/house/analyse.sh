@@ -17,8 +17,14 @@ clang-tidy)
   shift
   commands=$(mktemp --directory)
   trap 'rm -rf "$commands"' EXIT
-  # clang reads neither GCC's precompiled headers nor all of its flags; warnings are the compiler's business
-  sed -E 's/-include [^ ]*cmake_pch\.hxx//; s/ -(W|f)[^ ",]*//g' build/compile_commands.json >"$commands/compile_commands.json"
+  # The program's own commands, without GCC's precompiled headers and the flags that clang does not know
+  python3 - "$commands" <<'END'
+import json, re, sys
+entries = [entry for entry in json.load(open("build/compile_commands.json")) if " -o tests/" not in entry["command"]]
+for entry in entries:
+    entry["command"] = re.sub(r"-include \S*cmake_pch\.hxx| -[Wf]\S*", "", entry["command"])
+json.dump(entries, open(sys.argv[1] + "/compile_commands.json", "w"))
+END
   files=("$@")
   [ ${#files[@]} -gt 0 ] || mapfile -t files < <(find source -name '*.cc' -not -path '*/lanes/*' | sort)
   printf '%s\n' "${files[@]}" | xargs --max-procs="$(nproc --all)" --max-args=1 clang-tidy-14 --quiet -p "$commands"
