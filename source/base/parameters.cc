@@ -134,7 +134,7 @@ namespace Cautery
                                  const std::vector<std::string> &names,
                                  const std::string              &documentation)
   {
-    const std::string chosen = text(name, default_value, documentation + " [" + join(names, " | ") + "]");
+    std::string chosen = text(name, default_value, documentation + " [" + join(names, " | ") + "]");
     if (std::find(names.begin(), names.end(), chosen) == names.end())
       reject(name, chosen, "choose one of: " + join(names));
     return chosen;
