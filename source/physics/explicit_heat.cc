@@ -203,7 +203,7 @@ namespace Cautery
       {
         const Held       &node  = held[i];
         const std::size_t entry = node_record * node.node + heat;
-        if (node.temperature != last || last->depends_on_place())
+        if (node.temperature != last || node.temperature->depends_on_place())
           value = node.temperature->value(node.place, step.to);
         last         = node.temperature;
         rates[entry] = (value - zero_temperature - values[entry]) / step.length();

@@ -150,7 +150,7 @@ namespace Cautery
     for (std::size_t i = n_settled; i < held.size(); ++i)
       {
         const Held &entry = held[i];
-        if (entry.displacement != last || last->depends_on_place())
+        if (entry.displacement != last || entry.displacement->depends_on_place())
           value = entry.displacement->value(entry.place, to);
         last               = entry.displacement;
         rates[entry.entry] = (value - values[entry.entry]) / duration;
