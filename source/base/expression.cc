@@ -118,10 +118,7 @@ namespace Cautery
     parser->set_time(time);
     const double result = parser->value(place);
     if (!std::isfinite(result)) // the text of the place is costly: only where it is needed
-      checked(result,
-              source,
-              "(" + to_text(place[0]) + ", " + to_text(place[1]) + ", " + to_text(place[2]) + ") m, " +
-                to_text(time) + " s");
+      checked(result, source, "(" + to_text(place) + ") m, " + to_text(time) + " s");
     return result;
   }
 

@@ -16,6 +16,11 @@ namespace Cautery
     return std::string(buffer.data(), result.ptr);
   }
 
+  std::string to_text(const Point<3> &place)
+  {
+    return to_text(place[0]) + ", " + to_text(place[1]) + ", " + to_text(place[2]);
+  }
+
   std::string join(const std::vector<std::string> &texts, const std::string &separator)
   {
     std::string joined;
@@ -53,18 +58,13 @@ namespace Cautery
       return notes.empty() ? documentation : documentation + " [" + join(notes, "; ") + "]";
     }
 
-    template <typename T, typename ToText>
-    std::string list_text(const std::vector<T> &values, const ToText &text_of, const std::string &separator)
+    template <typename T>
+    std::string list_text(const std::vector<T> &values, const std::string &separator)
     {
       std::vector<std::string> texts;
       for (const auto &value : values)
-        texts.push_back(text_of(value));
+        texts.push_back(to_text(value));
       return join(texts, separator);
-    }
-
-    std::string place_text(const Point<3> &place)
-    {
-      return to_text(place[0]) + ", " + to_text(place[1]) + ", " + to_text(place[2]);
     }
   } // namespace
 
@@ -190,8 +190,7 @@ namespace Cautery
                          const std::string   &documentation,
                          const Bounds        &bounds)
   {
-    const std::string given =
-      text(name, list_text(value, to_text, ", "), describe(documentation, unit, bounds));
+    const std::string given = text(name, list_text(value, ", "), describe(documentation, unit, bounds));
     if (!reading())
       return;
     value.clear();
@@ -204,7 +203,7 @@ namespace Cautery
                          const std::string &unit,
                          const std::string &documentation)
   {
-    const std::string given = text(name, place_text(value), describe(documentation, unit));
+    const std::string given = text(name, to_text(value), describe(documentation, unit));
     if (reading())
       value = place(name, given);
   }
@@ -214,7 +213,7 @@ namespace Cautery
                          const std::string     &unit,
                          const std::string     &documentation)
   {
-    const std::string given = text(name, list_text(value, place_text, "; "), describe(documentation, unit));
+    const std::string given = text(name, list_text(value, "; "), describe(documentation, unit));
     if (!reading())
       return;
     value.clear();

@@ -7,9 +7,9 @@ namespace Cautery
   {
     const Tensor<1, 3> vector = direction.value(place, 0.);
     const double       length = vector.norm();
-    AssertThrow(length > 0.,
-                ExcInput("Fibre direction = " + direction.text() + ": it has no length at " +
-                         to_text(place[0]) + ", " + to_text(place[1]) + ", " + to_text(place[2])));
+    AssertThrow(
+      length > 0.,
+      ExcInput("Fibre direction = " + direction.text() + ": it has no length at " + to_text(place)));
     return {{vector[0] / length, vector[1] / length, vector[2] / length}};
   }
 

@@ -11,8 +11,7 @@ namespace Cautery
 {
   std::string InvertedCell::message() const
   {
-    return "cell " + std::to_string(cell) + " at " + to_text(place[0]) + ", " + to_text(place[1]) + ", " +
-           to_text(place[2]) +
+    return "cell " + std::to_string(cell) + " at " + to_text(place) +
            (jacobian > 0. ? " m is pressed to " + to_text(jacobian) + " of its volume" :
                             " m is turned inside out (J = " + to_text(jacobian) + ")");
   }

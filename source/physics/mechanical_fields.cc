@@ -89,10 +89,7 @@ namespace Cautery
         0.5 * double_dot(second_piola_kirchhoff_stress(deformation, cold), strain),
         0.5 * double_dot(hot, strain)};
     }
-  } // namespace
 
-  namespace
-  {
     template <int dim>
     void require_stress(const std::optional<unsigned int> &without,
                         const Field<dim>                  &displacement,
@@ -107,8 +104,7 @@ namespace Cautery
                                   found.max_index);
       AssertThrow(false,
                   ExcRun("stress and strain energy have no value at t = " + to_text(time) +
-                         " s at the node " + to_text(place[0]) + ", " + to_text(place[1]) + ", " +
-                         to_text(place[2]) +
+                         " s at the node " + to_text(place) +
                          " m, around which the deformation is turned inside out; "
                          "refine the mesh there, or load the body less or in smaller steps"));
     }

@@ -29,8 +29,7 @@ namespace Cautery
 
     std::string at(const Worst &worst, const double time)
     {
-      return " at t = " + to_text(time) + " s at the node " + to_text(worst.place[0]) + ", " +
-             to_text(worst.place[1]) + ", " + to_text(worst.place[2]) + " m; ";
+      return " at t = " + to_text(time) + " s at the node " + to_text(worst.place) + " m; ";
     }
   } // namespace
 

@@ -35,16 +35,17 @@ namespace Cautery
   template <int dim>
   void NewtonEquilibrium<dim>::solve(State &state)
   {
-    const Loading start   = last ? body.loading(*last) : body.unloaded(state);
+    if (!last)
+      reached = body.unloaded(state);
     const Loading target  = body.loading(state);
-    Loading       present = start;
+    Loading       present = reached;
     Vector        x       = state.displacement;
-    double        done    = 0.; // of the way from `start` to `target`
+    double        done    = 0.; // of the way from `reached` to `target`
     double        step    = 1.;
     while (done < 1.)
       {
         const double  share   = std::min(1., done + step);
-        const Loading next    = Loading::between(start, target, share);
+        const Loading next    = Loading::between(reached, target, share);
         Vector        trial   = x;
         const Failure failure = iterate(present, next, trial);
         if (failure.empty())
@@ -67,6 +68,7 @@ namespace Cautery
                            "times, refine the mesh there, or lower Numerics/Newton/Smallest load step"));
       }
     state.displacement = x;
+    reached            = target;
     if (!last)
       last.emplace();
     last->time        = state.time;
@@ -260,6 +262,8 @@ namespace Cautery
         last->temperature = state.temperature; // of the right size
       }
     last->archive(archive);
+    if (archive.restores())
+      reached = body.loading(*last);
   }
 
   template <int dim>

@@ -167,6 +167,8 @@ namespace Cautery
 
   /** The shortest text that reads back as the same number. */
   std::string to_text(const double value);
+  /** "x, y, z" of these. */
+  std::string to_text(const Point<3> &place);
 
   /** One text of several, with @p separator between them. */
   std::string join(const std::vector<std::string> &texts, const std::string &separator = ", ");

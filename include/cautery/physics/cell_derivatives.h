@@ -88,5 +88,4 @@ namespace Cautery
     return nodes.relevant().index_within_set(cell->vertex_dof_index(v, 0)) * tissues.size() +
            tissues.index(cell->material_id());
   }
-
 } // namespace Cautery

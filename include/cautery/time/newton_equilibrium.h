@@ -55,7 +55,8 @@ namespace Cautery
     const LinearSolverSettings solver_settings;
     Cost                      &cost;
     LinearSolver               solver;
-    std::optional<State>       last; ///< equilibrium: its time and temperature
+    std::optional<State>       last;    ///< equilibrium: its time and temperature
+    Loading                    reached; ///< in it
     std::optional<BorneLoad>   borne;
     double                     typical    = 0.; ///< the forces that acted in the equilibria so far, N
     double                     start_norm = 0.; ///< of the residual at the start of the step, N
