@@ -70,15 +70,24 @@ namespace Cautery
   Checkpoint<dim>::Checkpoint(const std::string &directory, const Scene &scene, const Field<dim> &nodes)
     : file(directory + "/checkpoint.h5")
     , scene(scene)
-    , nodes(nodes)
-    , n_processes(Utilities::MPI::n_mpi_processes(nodes.communicator()))
-    , first(Utilities::MPI::this_mpi_process(nodes.communicator()) == 0)
+    , communicator(nodes.communicator())
+    , n_processes(Utilities::MPI::n_mpi_processes(communicator))
+    , first(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , nodes(&nodes)
   {
     if (scene.mesh.shape == MeshSettings::Shape::file)
-      fail_together(nodes.communicator(), [this]() {
+      fail_together(communicator, [this]() {
         if (first)
           mesh = checksum(content_of(this->scene.mesh.file_name));
       });
+  }
+
+  template <int dim>
+  void Checkpoint<dim>::use(const Field<dim> &next)
+  {
+    nodes        = &next;
+    places_found = false;
+    n_nodes.clear();
   }
 
   template <int dim>
@@ -86,7 +95,7 @@ namespace Cautery
   {
     if (std::exchange(places_found, true))
       return;
-    const auto pieces = Utilities::MPI::gather(nodes.communicator(), node_numbers(nodes));
+    const auto pieces = Utilities::MPI::gather(communicator, node_numbers(*nodes));
     if (!first)
       return;
     std::vector<CellNumber> all;
@@ -140,11 +149,11 @@ namespace Cautery
       {
         const Pieces pieces = entry.kind == Kind::shared ?
                                 Pieces{entry.numbers} :
-                                Utilities::MPI::gather(nodes.communicator(), entry.numbers);
+                                Utilities::MPI::gather(communicator, entry.numbers);
         if (first)
           add(image, name, entry.kind, pieces);
       }
-    fail_together(nodes.communicator(), [&]() {
+    fail_together(communicator, [&]() {
       if (!first)
         return;
       const std::string bytes = image.bytes();
@@ -159,6 +168,11 @@ namespace Cautery
     image.add("about/scene", scene.identity);
     image.add("about/mesh", mesh);
     image.add("about/processes", Numbers{static_cast<double>(n_processes)});
+    if (scene.mesh.adaptive.is_on())
+      {
+        const auto cells = nodes->mesh().cells_of_all();
+        image.add("about/cells", Numbers(cells.begin(), cells.end()));
+      }
   }
 
   template <int dim>
@@ -210,18 +224,34 @@ namespace Cautery
     return image;
   }
 
+  /// On the first process.
   template <int dim>
-  Archive Checkpoint<dim>::read()
+  std::unique_ptr<Hdf5Image> Checkpoint<dim>::open() const
   {
-    find_places();
     std::unique_ptr<Hdf5Image> image;
-    fail_together(nodes.communicator(), [&]() {
+    fail_together(communicator, [&]() {
       if (!first)
         return;
       image = std::make_unique<Hdf5Image>(checked_image());
       check_belongs(*image);
     });
-    using Names = std::vector<std::string>;
+    return image;
+  }
+
+  template <int dim>
+  std::vector<CellNumber> Checkpoint<dim>::cells() const
+  {
+    const auto    image = open();
+    const Numbers cells = image ? image->numbers("about/cells") : Numbers();
+    return std::vector<CellNumber>(cells.begin(), cells.end());
+  }
+
+  template <int dim>
+  Archive Checkpoint<dim>::read()
+  {
+    find_places();
+    const auto image = open();
+    using Names      = std::vector<std::string>;
     std::map<Kind, Names> names;
     unsigned int          n_then = 0;
     if (first)
@@ -233,12 +263,12 @@ namespace Cautery
                   {Kind::own, n_then == n_processes ? image->names(own_group(0)) : Names()}};
       }
     for (const Kind kind : {Kind::shared, Kind::nodal, Kind::summed, Kind::own})
-      names[kind] = Utilities::MPI::broadcast(nodes.communicator(), names[kind]);
+      names[kind] = Utilities::MPI::broadcast(communicator, names[kind]);
 
     Archive::Entries entries;
     for (const auto &[kind, of_kind] : names)
       for (const auto &name : of_kind)
-        entries[name] = {kind, scatter(nodes.communicator(), pieces_of(image.get(), name, kind))};
+        entries[name] = {kind, scatter(communicator, pieces_of(image.get(), name, kind))};
     return Archive(std::move(entries));
   }
 

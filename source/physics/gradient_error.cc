@@ -8,6 +8,20 @@
 
 namespace Cautery
 {
+  namespace
+  {
+    /// Relative to the field over the length of the body: gradients that rounding makes of a uniform field.
+    constexpr double rounding = 1e-10;
+
+    template <int dim>
+    bool is_uniform(const Mesh<dim> &mesh, const Vector &x, const double gradient)
+    {
+      const auto  &corners = mesh.bounding_box().get_boundary_points();
+      const double length  = corners.first.distance(corners.second);
+      return gradient * length <= rounding * x.linfty_norm() * std::sqrt(mesh.volume());
+    }
+  } // namespace
+
   template <int dim>
   GradientError gradient_error(const Field<dim>     &nodes,
                                const TissueMap<dim> &tissues,
@@ -20,9 +34,15 @@ namespace Cautery
     else
       add_quadratic_errors(nodes, tissues, field, x, sums);
     GradientError result;
-    result.cells    = std::move(sums.cells);
+    result.cells          = std::move(sums.cells);
+    const double gradient = std::sqrt(Utilities::MPI::sum(sums.gradients, nodes.communicator()));
+    if (is_uniform(nodes.mesh(), x, gradient))
+      {
+        result.cells = 0.;
+        return result;
+      }
     result.error    = std::sqrt(Utilities::MPI::sum(sums.errors, nodes.communicator()));
-    result.gradient = std::sqrt(Utilities::MPI::sum(sums.gradients, nodes.communicator()));
+    result.gradient = gradient;
     return result;
   }
 

@@ -34,6 +34,17 @@ namespace Cautery
     return moved > rounding ? std::abs(error()) / moved : 0.;
   }
 
+  void HeatTotals::archive(Archive &archive)
+  {
+    archive.shared("sources", sources);
+    archive.shared("metabolism", metabolism);
+    archive.shared("stored", stored);
+    archive.shared("blood", blood);
+    archive.shared("boundary", boundary);
+    archive.shared("expansion", expansion);
+    archive.shared("adaption", adaption);
+  }
+
   template <int dim>
   HeatBalance<dim>::HeatBalance(Heat<dim>                        &heat,
                                 const ThermoelasticFeedback<dim> *feedback,
@@ -261,6 +272,7 @@ namespace Cautery
   template <int dim>
   void HeatBalance<dim>::archive(Archive &archive)
   {
+    archive.section("earlier meshes", [&]() { past.archive(archive); });
     received.archive(archive);
     archive.shared("stored", stored);
     archive.shared("lost to blood", blood);

@@ -3,10 +3,29 @@
 #include <cautery/space/cell_changes.h>
 #include <cautery/space/nodal_transfer.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 
 namespace Cautery
 {
+  template <int dim>
+  Adapted<dim>
+  adapt(const Scene &scene, const Body<dim> &body, const std::vector<CellNumber> &cells, Cost &cost)
+  {
+    // Before anything is made: a distributed triangulation of deal.II that goes takes all vectors with it
+    // that IDA has borrowed from deal.II, so none may go while the present problem is in use.
+    const bool same =
+      Utilities::MPI::broadcast(body.mesh.communicator(), cells == body.mesh.cells_of_all(), 0);
+    if (same)
+      return {};
+    Adapted<dim> result;
+    result.body = cost.build(
+      "adaption: mesh", [&]() { return std::make_unique<Body<dim>>(scene, Mesh<dim>(body.mesh, cells)); });
+    result.problem = make_problem(scene, *result.body, cost);
+    return result;
+  }
+
   namespace
   {
     template <int dim>
@@ -29,20 +48,12 @@ namespace Cautery
       return cell_changes(body.mesh, scene.numerics.degree, indicated, settings);
     }
 
-    /// Nothing where the mesh stays the same.
     template <int dim>
     Adapted<dim>
-    rebuilt(const Scene &scene, const Body<dim> &body, const std::vector<CellChange> &changes, Cost &cost)
+    changed(const Scene &scene, const Body<dim> &body, Problem<dim> &problem, State &state, Cost &cost)
     {
-      if (changes.empty())
-        return {};
-      Adapted<dim> result;
-      result.body =
-        cost.build("adaption: mesh", [&]() { return std::make_unique<Body<dim>>(scene, body, changes); });
-      if (!result.body->mesh.changed())
-        return {};
-      result.problem = make_problem(scene, *result.body, cost);
-      return result;
+      const auto changes = changes_for(scene, body, problem, state, cost);
+      return changes.empty() ? Adapted<dim>() : adapt(scene, body, body.mesh.cells_of_all(changes), cost);
     }
 
     template <int dim>
@@ -82,7 +93,7 @@ namespace Cautery
         State state = problem->start();
         while (state.time < first)
           problem->step(state, first);
-        Adapted<dim> next = rebuilt(scene, *body, changes_for(scene, *body, *problem, state, cost), cost);
+        Adapted<dim> next = changed(scene, *body, *problem, state, cost);
         if (!next.problem)
           break;
         problem = std::move(next.problem); // before the body that the old one stands on goes
@@ -97,7 +108,7 @@ namespace Cautery
   Adapted<dim>
   adapt(const Scene &scene, const Body<dim> &body, Problem<dim> &problem, State &state, Cost &cost)
   {
-    Adapted<dim> next = rebuilt(scene, body, changes_for(scene, body, problem, state, cost), cost);
+    Adapted<dim> next = changed(scene, body, problem, state, cost);
     if (!next.problem)
       return {};
     State start = carry(state, body, problem, next, cost);
@@ -112,4 +123,6 @@ namespace Cautery
   adapt_to_first_step(const Scene &, std::unique_ptr<Body<3>> &, std::unique_ptr<Problem<3>> &, Cost &);
   template Adapted<2> adapt(const Scene &, const Body<2> &, Problem<2> &, State &, Cost &);
   template Adapted<3> adapt(const Scene &, const Body<3> &, Problem<3> &, State &, Cost &);
+  template Adapted<2> adapt(const Scene &, const Body<2> &, const std::vector<CellNumber> &, Cost &);
+  template Adapted<3> adapt(const Scene &, const Body<3> &, const std::vector<CellNumber> &, Cost &);
 } // namespace Cautery

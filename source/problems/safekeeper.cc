@@ -14,10 +14,17 @@ namespace Cautery
     : settings(scene.output.checkpoints)
     , communicator(body.mesh.communicator())
     , seldom(scene.time.integrator == TimeSettings::Integrator::ida)
-    , problem(problem)
+    , problem(&problem)
     , cost(cost)
     , file(directory, scene, body.nodes)
   {
+  }
+
+  template <int dim>
+  void Safekeeper<dim>::use(const Body<dim> &body, Problem<dim> &next)
+  {
+    file.use(body.nodes);
+    problem = &next;
   }
 
   /// Processes see signals and clocks differently: what one needs, all do.
@@ -42,9 +49,9 @@ namespace Cautery
   {
     const unsigned int steps = settings.steps_to_new_start();
     if (steps > 0 && state.step % steps == 0)
-      problem.start_anew();
+      problem->start_anew();
     const Need now = need(state);
-    if (problem.can_be_archived() && (seldom || now != nothing))
+    if (problem->can_be_archived() && (seldom || now != nothing))
       {
         latest = Archive();
         store(latest);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/base/agreement.h>
 #include <cautery/output/run_directory.h>
-#include <cautery/problems/adaption.h>
 #include <cautery/problems/description.h>
 #include <cautery/problems/simulation.h>
 
@@ -21,8 +20,7 @@ namespace Cautery
     cost.build("set-up: mesh", [&]() { body = std::make_unique<Body<dim>>(scene, communicator); });
     problem = make_problem(scene, *body, cost);
     adapt_to_first_step(scene, body, problem, cost);
-    adaption.most_cells = adaption.last_cells = body->mesh.n_cells();
-    next_adaption                             = scene.mesh.adaptive.interval;
+    meshes = std::make_unique<MeshHistory<dim>>(scene, body->mesh);
     audience =
       cost.build("set-up: observers", [&]() { return std::make_unique<Audience<dim>>(scene, *body, cost); });
   }
@@ -48,12 +46,7 @@ namespace Cautery
     Progress progress(communicator, voice == Voice::speaks, scene.time.end);
     last_good = state;
     audience->write_to(directory);
-    const bool adapts = scene.mesh.adaptive.is_on();
-    AssertThrow(
-      !resume_it || !adapts,
-      ExcInput("--resume: a run with Mesh/Adaptive on keeps no checkpoint; run it anew, or with one mesh"));
-    // runs of a study are short, and end as it does; a checkpoint holds no mesh
-    if (voice == Voice::speaks && !adapts)
+    if (voice == Voice::speaks) // runs of a study are short, and end as it does
       safekeeper = std::make_unique<Safekeeper<dim>>(directory, scene, *body, *problem, cost);
     bool stopped = false;
     try
@@ -100,6 +93,15 @@ namespace Cautery
   {
     progress.say(description(scene, *body, *problem)); // which the log has already
     progress.log_to(directory + "/log.txt");
+    if (scene.mesh.adaptive.is_on())
+      {
+        Adapted<dim> stored_one = adapt(scene, *body, safekeeper->checkpoint().cells(), cost);
+        if (stored_one.problem)
+          {
+            state = stored_one.problem->start();
+            use(std::move(stored_one));
+          }
+      }
     Archive stored = safekeeper->checkpoint().read();
     archive(stored, state, progress);
     safekeeper->resumed_at(state);
@@ -123,6 +125,7 @@ namespace Cautery
   void Simulation<dim>::archive(Archive &archive, State &state, Progress &progress)
   {
     archive.section("state", [&]() { state.archive(archive); });
+    archive.section("meshes", [&]() { meshes->archive(archive, *problem); });
     archive.section("problem", [&]() { problem->archive(archive, state); });
     audience->archive(archive);
     archive.shared("last output", observed);
@@ -144,7 +147,7 @@ namespace Cautery
           {
             if (safekeeper && safekeeper->look(state, store))
               return false;
-            advance(state, stop_before(time), progress);
+            advance(state, meshes->stop_before(time), progress);
             adapt_mesh(state, progress);
             if (only_trial && forecast.result())
               return true;
@@ -218,46 +221,30 @@ namespace Cautery
       progress.show(state.time, state.step, audience->hottest_now());
   }
 
-  namespace
-  {
-    /// Relative: times that are the same but for rounding.
-    constexpr double same_time = 1e-12;
-  } // namespace
-
-  /// @p time, or when the mesh is adapted before; s.
-  template <int dim>
-  double Simulation<dim>::stop_before(const double time) const
-  {
-    const AdaptiveSettings &settings = scene.mesh.adaptive;
-    const bool before = settings.is_on() && settings.interval > 0. && next_adaption < time * (1. - same_time);
-    return before ? next_adaption : time;
-  }
-
   /// If it is time.
   template <int dim>
   void Simulation<dim>::adapt_mesh(State &state, Progress &progress)
   {
-    const AdaptiveSettings &settings = scene.mesh.adaptive;
-    if (!settings.is_on() || settings.interval == 0. || state.time < next_adaption * (1. - same_time) ||
-        state.time >= scene.time.end)
+    if (!meshes->is_due(state.time))
       return;
-    next_adaption += settings.interval;
     Adapted<dim> next = adapt(scene, *body, *problem, state, cost);
     if (!next.problem)
       return;
-    for (const auto &[name, count] : problem->statistics())
-      past_statistics[name] += count;
-    for (const auto &[name, error] : problem->time_errors())
-      past_time_errors[name] += error;
-    audience->use(*next.body);
-    problem   = std::move(next.problem); // before the body that the old one stands on goes
-    body      = std::move(next.body);
+    meshes->change(*problem, next.body->mesh);
+    use(std::move(next));
     last_good = state;
-    ++adaption.times;
-    adaption.last_cells = body->mesh.n_cells();
-    adaption.most_cells = std::max(adaption.most_cells, adaption.last_cells);
-    progress.say("t = " + to_text(state.time) + " s  mesh adapted: " + std::to_string(adaption.last_cells) +
+    progress.say("t = " + to_text(state.time) + " s  mesh adapted: " + std::to_string(meshes->n_cells()) +
                  " cells\n");
+  }
+
+  template <int dim>
+  void Simulation<dim>::use(Adapted<dim> next)
+  {
+    audience->use(*next.body);
+    if (safekeeper)
+      safekeeper->use(*next.body, *next.problem);
+    problem = std::move(next.problem); // before the body that the old one stands on goes
+    body    = std::move(next.body);
   }
 
   template <int dim>
@@ -320,15 +307,8 @@ namespace Cautery
     result.unknowns     = problem->unknowns();
     result.time_steps   = state.step;
     result.steps_here   = state.step - resumed_step;
-    result.statistics   = past_statistics;
-    for (const auto &[name, count] : problem->statistics())
-      result.statistics[name] += count;
-    result.balance     = problem->heat_totals(state);
-    result.time_errors = past_time_errors;
-    for (const auto &[name, error] : problem->time_errors())
-      result.time_errors[name] += error;
-    if (scene.mesh.adaptive.is_on())
-      result.adaption = adaption;
+    result.balance      = problem->heat_totals(state);
+    meshes->tell(*problem, result);
     audience->tell(result);
     result.wall_seconds      = cost.wall_seconds();
     result.processor_seconds = Utilities::MPI::max(cost.processor_seconds(), communicator);

@@ -159,9 +159,6 @@ namespace Cautery
         !scene.has_explicit_loop() && scene.numerics.large_equilibrium == Numerics::LargeEquilibrium::newton,
         name +
           ": explicit steps and dynamic relaxation do not know nodes that follow others; choose nothing");
-      require(scene.output.checkpoints.steps == 0 && scene.output.checkpoints.minutes == 0.,
-              name + ": a checkpoint holds no mesh; choose nothing, or set Steps and Minutes of "
-                     "Output/Checkpoints to 0");
       require(scene.numerics.kept_nodes.empty(),
               name + ": Numerics/Kept nodes needs a mesh that stays; choose nothing, or leave it empty");
       require(scene.mesh.refinements + adaptive.max_divisions <= 10,

@@ -106,7 +106,14 @@ namespace Cautery
     , label(settings.shape == MeshSettings::Shape::box ? "box" : "`" + settings.file_name + "`")
   {
     std::unique_ptr<Triangulation<dim>> all;
-    on_root(communicator, [&]() { all = make_whole(settings); });
+    on_root(communicator, [&]() {
+      all = make_whole(settings);
+      if (adaptive)
+        {
+          first = std::make_shared<Triangulation<dim>>();
+          first->copy_triangulation(*all);
+        }
+    });
     distribute(std::move(all));
     finish();
     AssertThrow(
@@ -116,27 +123,19 @@ namespace Cautery
   }
 
   template <int dim>
-  Mesh<dim>::Mesh(const Mesh &mesh, const std::vector<CellChange> &changes)
+  Mesh<dim>::Mesh(const Mesh &mesh, const std::vector<CellNumber> &cells)
     : mpi_communicator(mesh.mpi_communicator)
     , adaptive(true)
     , coarsest(mesh.coarsest)
     , label(mesh.label)
+    , first(mesh.first)
     , region_names(mesh.region_names)
     , surface_names(mesh.surface_names)
     , box(mesh.box)
     , mended(mesh.mended)
   {
-    std::map<CellNumber, char> own;
-    for (const auto &cell : mesh.cells->active_cell_iterators())
-      if (cell->is_locally_owned() && changes[cell->active_cell_index()] != CellChange::keep)
-        own[cell_order<dim>(cell)] = static_cast<char>(changes[cell->active_cell_index()]);
-    auto                                gathered = Utilities::MPI::gather(mpi_communicator, own, root);
     std::unique_ptr<Triangulation<dim>> all;
-    on_root(mpi_communicator, [&]() {
-      for (auto &part : gathered)
-        own.merge(part);
-      all = adapt_whole(mesh, own);
-    });
+    on_root(mpi_communicator, [&]() { all = divided(*first, cells); });
     distribute(std::move(all));
     finish();
   }
@@ -180,27 +179,26 @@ namespace Cautery
   }
 
   template <int dim>
-  std::unique_ptr<Triangulation<dim>> Mesh<dim>::adapt_whole(const Mesh                       &mesh,
-                                                             const std::map<CellNumber, char> &changes)
+  std::vector<CellNumber> Mesh<dim>::cells_of_all() const
   {
-    auto result = std::make_unique<Triangulation<dim>>();
-    result->copy_triangulation(mesh.whole ? *mesh.whole : *mesh.cells);
-    for (const auto &cell : result->active_cell_iterators())
-      {
-        const auto change = changes.find(cell_order<dim>(cell));
-        if (change == changes.end())
-          continue;
-        if (static_cast<CellChange>(change->second) == CellChange::refine)
-          cell->set_refine_flag();
-        else if (static_cast<unsigned int>(cell->level()) > coarsest)
-          cell->set_coarsen_flag();
-      }
-    result->prepare_coarsening_and_refinement(); // takes flags away, and sets others
-    has_changed = false;
-    for (const auto &cell : result->active_cell_iterators())
-      has_changed = has_changed || cell->refine_flag_set() || cell->coarsen_flag_set();
-    result->execute_coarsening_and_refinement();
-    return result;
+    return Utilities::MPI::this_mpi_process(mpi_communicator) == root ? active_cells(undistributed()) :
+                                                                        std::vector<CellNumber>();
+  }
+
+  template <int dim>
+  std::vector<CellNumber> Mesh<dim>::cells_of_all(const std::vector<CellChange> &changes) const
+  {
+    std::map<CellNumber, char> own;
+    for (const auto &cell : cells->active_cell_iterators())
+      if (cell->is_locally_owned() && changes[cell->active_cell_index()] != CellChange::keep)
+        own[cell_order<dim>(cell)] = static_cast<char>(changes[cell->active_cell_index()]);
+    std::map<CellNumber, CellChange> all;
+    for (const auto &part : Utilities::MPI::gather(mpi_communicator, own, root))
+      for (const auto &[cell, change] : part)
+        all[cell] = static_cast<CellChange>(change);
+    return Utilities::MPI::this_mpi_process(mpi_communicator) == root ?
+             active_cells(undistributed(), all, coarsest) :
+             std::vector<CellNumber>();
   }
 
   template <int dim>
@@ -241,7 +239,6 @@ namespace Cautery
     region_names  = Utilities::MPI::broadcast(mpi_communicator, region_names, root);
     surface_names = Utilities::MPI::broadcast(mpi_communicator, surface_names, root);
     mended        = Utilities::MPI::broadcast(mpi_communicator, mended, root);
-    has_changed   = Utilities::MPI::broadcast(mpi_communicator, has_changed, root);
     vertices      = Utilities::MPI::broadcast(mpi_communicator, vertices, root);
     box = BoundingBox<dim>(Utilities::MPI::broadcast(mpi_communicator, box.get_boundary_points(), root));
   }

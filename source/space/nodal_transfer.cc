@@ -30,21 +30,25 @@ namespace Cautery
       return CellId(id.get_coarse_cell_id(), longer);
     }
 
-    /// The owners of all cells of the new mesh. Collective.
+    using Readers = std::map<CellId, std::vector<unsigned int>>;
+
+    /// The processes that know a cell of the new mesh, as their own or a ghost: the owner of a node hears
+    /// from all cells around it. Collective.
     template <int dim>
-    std::map<CellId, unsigned int> owners(const Field<dim> &nodes)
+    Readers readers(const Field<dim> &nodes)
     {
-      std::vector<unsigned int> own;
+      std::vector<unsigned int> known;
       for (const auto &cell : nodes.mesh().triangulation().active_cell_iterators())
-        if (cell->is_locally_owned())
+        if (!cell->is_artificial())
           for (const unsigned int word : cell->id().template to_binary<dim>())
-            own.push_back(word);
-      const auto                     all = Utilities::MPI::all_gather(nodes.communicator(), own);
-      std::map<CellId, unsigned int> result;
+            known.push_back(word);
+      const auto all = Utilities::MPI::all_gather(nodes.communicator(), known);
+      Readers    result;
       for (unsigned int process = 0; process < all.size(); ++process)
         for (std::size_t i = 0; i < all[process].size(); i += 4)
           result[CellId(CellId::binary_type{
-            {all[process][i], all[process][i + 1], all[process][i + 2], all[process][i + 3]}})] = process;
+                   {all[process][i], all[process][i + 1], all[process][i + 2], all[process][i + 3]}})]
+            .push_back(process);
       return result;
     }
   } // namespace
@@ -90,49 +94,51 @@ namespace Cautery
   template <int dim>
   void NodalTransfer<dim>::find_sources()
   {
-    constexpr unsigned int                      n_children = GeometryInfo<dim>::max_children_per_cell;
-    const auto                                  owner      = owners(to);
-    std::map<unsigned int, std::vector<CellId>> cells; // new ones, by receiving process
+    constexpr unsigned int n_children = GeometryInfo<dim>::max_children_per_cell;
+    const auto             known      = readers(to);
     for (const auto &cell : from.dof_handler().active_cell_iterators())
       {
         if (!cell->is_locally_owned())
           continue;
         const auto add = [&](const auto &found, const unsigned int rule) {
-          sources[found->second].push_back({cell, rule});
-          cells[found->second].push_back(found->first);
+          for (const unsigned int process : found->second)
+            sources[process].push_back({cell, found->first, rule});
         };
         const CellId id = cell->id();
-        if (const auto same = owner.find(id); same != owner.end())
+        if (const auto same = known.find(id); same != known.end())
           {
             add(same, 0);
             continue;
           }
         for (unsigned int child = 0; child < n_children; ++child)
-          if (const auto part = owner.find(with(id, child)); part != owner.end())
+          if (const auto part = known.find(with(id, child)); part != known.end())
             add(part, 1 + child);
         if (cell->level() > 0)
-          if (const auto whole = owner.find(without_last(id)); whole != owner.end())
+          if (const auto whole = known.find(without_last(id)); whole != known.end())
             add(whole, 1 + n_children + id.get_child_indices()[cell->level() - 1]);
       }
-    find_targets(cells);
+    find_targets();
   }
 
   template <int dim>
-  void NodalTransfer<dim>::find_targets(const std::map<unsigned int, std::vector<CellId>> &sent)
+  void NodalTransfer<dim>::find_targets()
   {
-    std::map<unsigned int, std::vector<unsigned int>> words;
-    for (const auto &[process, ids] : sent)
-      for (const CellId &id : ids)
-        for (const unsigned int word : id.template to_binary<dim>())
-          words[process].push_back(word);
+    std::map<unsigned int, std::vector<unsigned int>> words; // of cells, each followed by its rule
+    for (const auto &[process, list] : sources)
+      for (const Source &source : list)
+        {
+          for (const unsigned int word : source.target.template to_binary<dim>())
+            words[process].push_back(word);
+          words[process].push_back(source.rule);
+        }
     std::vector<types::global_dof_index> dofs(to.element().n_dofs_per_cell());
     for (const auto &[process, ids] : Utilities::MPI::some_to_some(to.communicator(), words))
-      for (std::size_t i = 0; i < ids.size(); i += 4)
+      for (std::size_t i = 0; i < ids.size(); i += 5)
         {
           const CellId id(CellId::binary_type{{ids[i], ids[i + 1], ids[i + 2], ids[i + 3]}});
           const auto   cell = to.mesh().triangulation().create_cell_iterator(id);
           to.cell(typename Triangulation<dim>::active_cell_iterator(cell))->get_dof_indices(dofs);
-          targets[process].push_back(dofs);
+          targets[process].push_back({dofs, ids[i + 4]});
         }
   }
 
@@ -181,15 +187,7 @@ namespace Cautery
         }
 
     Vector result = to_field.vector();
-    for (const auto &[process, numbers] : Utilities::MPI::some_to_some(to.communicator(), messages))
-      {
-        std::size_t next = 0;
-        for (const auto &nodes : targets.at(process))
-          for (const auto node : nodes)
-            for (unsigned int c = 0; c < n; ++c, ++next)
-              if (!std::isnan(numbers[next]) && to.owned().is_element(node))
-                result.begin()[to.owned().index_within_set(node) * n + c] = numbers[next];
-      }
+    receive(Utilities::MPI::some_to_some(to.communicator(), messages), to_field, result);
     // what is infinite has no weighted mean
     Vector continuous = result;
     to_field.hanging().distribute(continuous);
@@ -199,6 +197,31 @@ namespace Cautery
                    result.begin(),
                    [](const double mean, const double own) { return std::isfinite(mean) ? mean : own; });
     return result;
+  }
+
+  /// @p messages: by sending process, the components at the nodes of its targets.
+  template <int dim>
+  void NodalTransfer<dim>::receive(const std::map<unsigned int, std::vector<double>> &messages,
+                                   const Field<dim>                                  &to_field,
+                                   Vector                                            &result) const
+  {
+    const unsigned int n = to_field.n_components();
+    std::vector<bool>  known(to.owned().n_elements(), false); // at an old node
+    for (const auto &[process, numbers] : messages)
+      {
+        auto number = numbers.begin();
+        for (const Target &target : targets.at(process))
+          for (unsigned int i = 0; i < target.nodes.size(); ++i, number += n)
+            {
+              if (std::isnan(*number) || !to.owned().is_element(target.nodes[i]))
+                continue;
+              const auto own = to.owned().index_within_set(target.nodes[i]);
+              if (known[own])
+                continue;
+              known[own] = rules[target.rule][i].size() == 1;
+              std::copy_n(number, n, result.begin() + own * n);
+            }
+      }
   }
 
   template class NodalTransfer<2>;

@@ -317,7 +317,6 @@ namespace Cautery
 
   void BackwardEulerBalance::add_time_error(std::map<std::string, TimeError> &errors) const
   {
-    if (error.total().steps > 0)
-      errors[name()] = error.total();
+    errors[name()] = error.total();
   }
 } // namespace Cautery

@@ -35,7 +35,4 @@ ADAPTIVE = [
          "scene.prm: Mesh/Refinements = 8 and Adaptive/Largest number of divisions = 3 are more than 10 together; take "
          "fewer",
          [ON, "Mesh/Refinements=8"]),
-    Case("a checkpoint of a mesh that changes",
-         f"{FOLLOW}: a checkpoint holds no mesh; choose nothing, or set Steps and Minutes of Output/Checkpoints to 0",
-         [ON, "Output/Checkpoints/Steps=5"]),
 ]

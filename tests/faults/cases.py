@@ -65,6 +65,9 @@ EXPLICIT = ["Time/Integrator=explicit", "Effects/Deformation=explicit dynamics",
             "Time/End=1", "Time/Step=0.005", "Output/Interval=0.05", "Heat sources/needle/Switch on at=0, 0.3",
             "Heat sources/needle/Switch off at=0.2, 0.5", "Numerics/Explicit/Damping=50", "Output/Reactions=on"]
 
+ADAPTIVE = ["Mesh/Subdivisions=3", "Mesh/Adaptive/Follow=temperature", "Mesh/Adaptive/Target error=0.2",
+            "Mesh/Adaptive/Interval=3", "Mesh/Adaptive/Largest number of divisions=2"]
+
 CASES = {
     "heat": [],
     "heat_that_lags_damages_and_stops_perfusion": [*NON_FOURIER, *DAMAGE],
@@ -98,6 +101,11 @@ CASES = {
     "error_control_of_lagging_heat": [*IDA, *NON_FOURIER, "Effects/Temperature-dependent properties=on",
                                       "Tissues/tissue/Conductivity=300: 0.5, 350: 0.7", "Time/End=20",
                                       "Mesh/Subdivisions=3"],
+    "adaptive_heat": [*ADAPTIVE, *NON_FOURIER, *DAMAGE, "Effects/Temperature-dependent properties=on",
+                      "Tissues/tissue/Conductivity=310: 0.5, 330: 0.7"],
+    "adaptive_two_way": [*ADAPTIVE, *STRAIN, "Effects/Coupling=two-way", "Effects/Damage=thermo-mechanical strain energy",
+                         "Mesh/Adaptive/Follow=both", "Output/Reactions=on"],
+    "adaptive_error_control": [*ADAPTIVE, *IDA, *STRAIN, *DAMAGE],
     "explicit": [*EXPLICIT, *NON_FOURIER, *DAMAGE, "Numerics/Explicit/Averaged pressure=on", "Mesh/Cells=tetrahedra"],
     "explicit_single": [*EXPLICIT, "Numerics/Explicit/Precision=single", "Effects/Metabolism=Q10"],
     "explicit_beside_implicit_heat": [*EXPLICIT, "Time/Integrator=backward Euler", "Mesh/Cells=tetrahedra"],

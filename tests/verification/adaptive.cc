@@ -10,12 +10,15 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <set>
+
 namespace
 {
   using namespace Verification;
 
-  /// Divides a third of the cells and merges all others that can be: as irregular as it gets.
-  std::vector<CellChange> some_changes(const Mesh<3> &mesh, const unsigned int remainder)
+  /// Cells of a mesh of which a third is divided and all others are merged that can be: as irregular as it
+  /// gets.
+  std::vector<CellNumber> other_cells(const Mesh<3> &mesh, const unsigned int remainder)
   {
     std::vector<CellChange> changes(mesh.triangulation().n_active_cells(), CellChange::keep);
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
@@ -26,7 +29,7 @@ namespace
           changes[cell->active_cell_index()] =
             code % 3 == remainder ? CellChange::refine : CellChange::coarsen;
         }
-    return changes;
+    return mesh.cells_of_all(changes);
   }
 
   Scene unit_cube(const std::vector<Override> &effects,
@@ -76,8 +79,8 @@ namespace
   {
     const Scene   scene = unit_cube(exact.scene, degree, more);
     const Body<3> even(scene, MPI_COMM_WORLD);
-    const Body<3> once(scene, even, some_changes(even.mesh, 0));
-    const Body<3> twice(scene, once, some_changes(once.mesh, 1));
+    const Body<3> once(scene, Mesh<3>(even.mesh, other_cells(even.mesh, 0)));
+    const Body<3> twice(scene, Mesh<3>(once.mesh, other_cells(once.mesh, 1)));
     checks.holds(label + ": " + std::to_string(twice.mesh.n_cells()) + " cells and " +
                    std::to_string(twice.nodes.hanging_nodes().n_constraints()) + " hanging nodes",
                  twice.nodes.hanging_nodes().n_constraints() > 50);
@@ -115,9 +118,10 @@ namespace
     return degree == 1 ? linear : linear + p[0] * p[0] - p[1] * p[1] * p[2] + 3. * p[2] * p[2];
   }
 
-  Cautery::Vector sampled(const Field<3> &nodes)
+  /// look(node, its place), for the process's own nodes.
+  template <typename Look>
+  void for_each_node(const Field<3> &nodes, const Look &look)
   {
-    Cautery::Vector                      result = nodes.vector();
     std::vector<types::global_dof_index> dofs(nodes.element().n_dofs_per_cell());
     for (const auto &cell : nodes.dof_handler().active_cell_iterators())
       {
@@ -126,12 +130,75 @@ namespace
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (nodes.owned().is_element(dofs[i]))
-            result(dofs[i]) =
-              nodal(nodes.mapping().transform_unit_to_real_cell(cell, nodes.element().unit_support_point(i)),
-                    nodes.element().degree);
+            look(dofs[i],
+                 nodes.mapping().transform_unit_to_real_cell(cell, nodes.element().unit_support_point(i)));
       }
+  }
+
+  Cautery::Vector sampled(const Field<3> &nodes)
+  {
+    Cautery::Vector result = nodes.vector();
+    for_each_node(nodes, [&](const types::global_dof_index node, const Point<3> &place) {
+      result(node) = nodal(place, nodes.element().degree);
+    });
     result.compress(VectorOperation::insert);
     return result;
+  }
+
+  /// As rough as damage is: hanging nodes do not follow their neighbours.
+  double rough(const Point<3> &p) { return std::sin(1000. * (p[0] + 2. * p[1] + 3. * p[2])); }
+
+  /// Places of nodes of all processes.
+  class Places
+  {
+  public:
+    void add(const Point<3> &place) { own.push_back(code(place)); }
+    void gather()
+    {
+      for (const auto &part : Utilities::MPI::all_gather(MPI_COMM_WORLD, own))
+        all.insert(part.begin(), part.end());
+    }
+    bool have(const Point<3> &place) const { return all.count(code(place)) > 0; }
+
+  private:
+    /// Nodes are more than a thousandth apart.
+    static double code(const Point<3> &p)
+    {
+      return std::round(1e3 * p[0]) + 1e4 * std::round(1e3 * p[1]) + 1e8 * std::round(1e3 * p[2]);
+    }
+    std::vector<double> own;
+    std::set<double>    all;
+  };
+
+  /// How far values move at nodes that both meshes have, but where some hang in the new one.
+  double moved(const Body<3> &from, const Body<3> &to)
+  {
+    Cautery::Vector values = from.nodes.vector(), free = to.nodes.vector();
+    free = 1.;
+    to.nodes.hanging().clear(free);
+    Places old, hanging;
+    for_each_node(from.nodes, [&](const types::global_dof_index node, const Point<3> &place) {
+      values(node) = rough(place);
+      old.add(place);
+    });
+    values.compress(VectorOperation::insert);
+    for_each_node(to.nodes, [&](const types::global_dof_index node, const Point<3> &place) {
+      if (free(node) == 0.)
+        hanging.add(place);
+    });
+    old.gather();
+    hanging.gather();
+    const auto   carried = NodalTransfer<3>(from.nodes, to.nodes)(values, from.nodes, to.nodes);
+    double       largest = 0.;
+    unsigned int n       = 0;
+    for_each_node(to.nodes, [&](const types::global_dof_index node, const Point<3> &place) {
+      if (!old.have(place) || hanging.have(place))
+        return;
+      ++n;
+      largest = std::max(largest, std::abs(carried(node) - rough(place)));
+    });
+    AssertThrow(Utilities::MPI::sum(n, MPI_COMM_WORLD) > 0, ExcInternalError());
+    return Utilities::MPI::max(largest, MPI_COMM_WORLD);
   }
 
   double difference(Cautery::Vector a, const Cautery::Vector &b)
@@ -147,8 +214,8 @@ namespace
       {
         const Scene   scene = unit_cube({{"Effects/Heat", "Fourier"}}, degree);
         const Body<3> even(scene, MPI_COMM_WORLD);
-        const Body<3> once(scene, even, some_changes(even.mesh, 0));
-        const Body<3> twice(scene, once, some_changes(once.mesh, 1));
+        const Body<3> once(scene, Mesh<3>(even.mesh, other_cells(even.mesh, 0)));
+        const Body<3> twice(scene, Mesh<3>(once.mesh, other_cells(once.mesh, 1)));
         const auto    label = "degree " + std::to_string(degree) + ", ";
         const auto    carry = [&](const Body<3> &from, const Body<3> &to, const Cautery::Vector &values) {
           return NodalTransfer<3>(from.nodes, to.nodes)(values, from.nodes, to.nodes);
@@ -157,6 +224,7 @@ namespace
         const auto on_twice = carry(once, twice, on_once);
         checks.near(label + "divided", difference(on_once, sampled(once.nodes)), 0., 1e-12);
         checks.near(label + "divided and merged", difference(on_twice, sampled(twice.nodes)), 0., 1e-12);
+        checks.near(label + "old nodes keep their own", moved(once, twice), 0., 1e-12);
         Cautery::Vector no_damage = once.nodes.vector();
         std::fill(no_damage.begin(), no_damage.end(), -std::numeric_limits<double>::infinity());
         const auto still_none = carry(once, twice, no_damage);

@@ -26,12 +26,18 @@ namespace Cautery
 
     const std::string &file_name() const { return file; }
 
+    /** The mesh has been adapted: @p nodes are in the place of those so far. */
+    void use(const Field<dim> &nodes);
+
     /** Collective. Errors: ExcRun; the last checkpoint is unharmed then. */
     void write(const Archive &archive);
 
+    /** Of an adaptive mesh, the cells at that time: see Mesh. Collective. Errors: as for `read`. */
+    std::vector<CellNumber> cells() const;
+
     /**
-     * An archive that brings back. Collective. Errors: ExcInput where there is no checkpoint, or one that is
-     * damaged or of another version, scene or mesh.
+     * An archive that brings back. The nodes must be those of that time. Collective. Errors: ExcInput where
+     * there is no checkpoint, or one that is damaged or of another version, scene or mesh.
      */
     Archive read();
 
@@ -42,21 +48,23 @@ namespace Cautery
     using Numbers = std::vector<double>;
     using Pieces  = std::vector<Numbers>; ///< one of each process
 
-    void        find_places();
-    Numbers     in_file_order(const Pieces &pieces) const;
-    Pieces      by_process(const Numbers &numbers) const;
-    void        describe(Hdf5Image &image) const;
-    void        check_belongs(const Hdf5Image &image) const;
-    std::string checked_image() const;
+    void                       find_places();
+    Numbers                    in_file_order(const Pieces &pieces) const;
+    Pieces                     by_process(const Numbers &numbers) const;
+    void                       describe(Hdf5Image &image) const;
+    void                       check_belongs(const Hdf5Image &image) const;
+    std::unique_ptr<Hdf5Image> open() const;
+    std::string                checked_image() const;
     void add(Hdf5Image &image, const std::string &name, const Archive::Kind kind, const Pieces &pieces) const;
     Pieces pieces_of(const Hdf5Image *image, const std::string &name, const Archive::Kind kind) const;
 
     const std::string  file;
     const Scene       &scene;
-    const Field<dim>  &nodes;
+    const MPI_Comm     communicator;
     const unsigned int n_processes;
     const bool         first; ///< the process that reads and writes
-    std::string        mesh;  ///< checksum of its file, if it has one
+    const Field<dim>  *nodes;
+    std::string        mesh; ///< checksum of its file, if it has one
 
     bool places_found = false;
     // on the first process, once they are needed

@@ -29,7 +29,8 @@ namespace Cautery
    * derivatives are found instead, as the slope of the second ones at the centres of the cells around; they
    * make a cubic, and what quadratic interpolation leaves of it is the error.
    *
-   * Exact to leading order for smooth fields on regular meshes; elsewhere an indicator.
+   * Exact to leading order for smooth fields on regular meshes; elsewhere an indicator. Nothing where the
+   * field is uniform but for rounding.
    */
   template <int dim>
   GradientError gradient_error(const Field<dim>     &nodes,

@@ -24,6 +24,8 @@ namespace Cautery
     double error() const { return sources + metabolism + adaption - stored - blood - boundary - expansion; }
     /** The error over all heat that was moved. */
     double relative_error() const;
+
+    void archive(Archive &archive);
   };
 
   /**

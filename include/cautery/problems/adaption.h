@@ -31,4 +31,9 @@ namespace Cautery
   template <int dim>
   Adapted<dim>
   adapt(const Scene &scene, const Body<dim> &body, Problem<dim> &problem, State &state, Cost &cost);
+
+  /** The same for a mesh with @p cells (see Mesh); the problem has not been started. Errors: ExcInput. */
+  template <int dim>
+  Adapted<dim>
+  adapt(const Scene &scene, const Body<dim> &body, const std::vector<CellNumber> &cells, Cost &cost);
 } // namespace Cautery

@@ -5,6 +5,8 @@
 #include <cautery/space/field.h>
 #include <cautery/space/points.h>
 
+#include <utility>
+
 namespace Cautery
 {
   /**
@@ -13,18 +15,13 @@ namespace Cautery
   template <int dim>
   struct Body
   {
-    Body(const Scene &scene, const MPI_Comm communicator)
-      : mesh(scene.mesh, communicator)
-      , nodes(mesh, scene.numerics.degree, scene.numerics.method)
-      , tissues(mesh, scene.tissues)
-      , boundaries(mesh, scene.boundaries)
-      , locator(mesh)
+    Body(const Scene &scene, const MPI_Comm communicator) : Body(scene, Mesh<dim>(scene.mesh, communicator))
     {
     }
 
-    /** The same, its mesh adapted. Collective. */
-    Body(const Scene &scene, const Body &body, const std::vector<CellChange> &changes)
-      : mesh(body.mesh, changes)
+    /** That of @p scene on a mesh that may be adapted. Collective. */
+    Body(const Scene &scene, Mesh<dim> its_mesh)
+      : mesh(std::move(its_mesh))
       , nodes(mesh, scene.numerics.degree, scene.numerics.method)
       , tissues(mesh, scene.tissues)
       , boundaries(mesh, scene.boundaries)

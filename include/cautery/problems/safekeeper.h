@@ -31,6 +31,9 @@ namespace Cautery
 
     Checkpoint<dim> &checkpoint() { return file; }
 
+    /** The mesh has been adapted: these are in the place of those so far. */
+    void use(const Body<dim> &body, Problem<dim> &problem);
+
     /** The run has resumed at @p state, from a checkpoint that stays good for it. */
     void resumed_at(const State &state) { written_step = state.step; }
 
@@ -57,7 +60,7 @@ namespace Cautery
     const CheckpointSettings &settings;
     const MPI_Comm            communicator;
     const bool                seldom; ///< the state can be stored only now and then
-    Problem<dim>             &problem;
+    Problem<dim>             *problem;
     Cost                     &cost;
     Checkpoint<dim>           file;
     Interruption              interruption;

@@ -3,7 +3,9 @@
 
 #include <cautery/output/forecast.h>
 #include <cautery/output/progress.h>
+#include <cautery/problems/adaption.h>
 #include <cautery/problems/audience.h>
+#include <cautery/problems/mesh_history.h>
 #include <cautery/problems/safekeeper.h>
 
 #include <memory>
@@ -52,8 +54,8 @@ namespace Cautery
     bool        go(State &state, Progress &progress, const bool only_trial);
     std::string end_failed(const std::string &directory, const ExcRun &failure, Progress &progress);
     void        advance(State &state, const double stop, Progress &progress);
-    double      stop_before(const double time) const;
     void        adapt_mesh(State &state, Progress &progress);
+    void        use(Adapted<dim> next);
     void        foretell(const double length, const double seconds, const double time);
     void        observe(State &state);
     void        observe_last_good();
@@ -66,22 +68,19 @@ namespace Cautery
                        const std::string &message,
                        Progress          &progress);
 
-    const Scene                     &scene;
-    const MPI_Comm                   communicator;
-    mutable Cost                     cost;
-    std::unique_ptr<Body<dim>>       body;
-    std::unique_ptr<Problem<dim>>    problem;
-    std::unique_ptr<Audience<dim>>   audience;
-    std::unique_ptr<Safekeeper<dim>> safekeeper;
-    Forecast                         forecast;
-    std::map<std::string, double>    past_statistics;    ///< of earlier meshes
-    std::map<std::string, TimeError> past_time_errors;   ///< the same
-    double                           next_adaption = 0.; ///< s
-    RunRecord::Adaption              adaption;
-    State                            last_good;          ///< after the last complete step
-    double                           observed     = -1.; ///< s; when the outputs were last asked
-    double                           loop_seconds = 0.;
-    std::optional<double>            resumed_from;     ///< s
-    unsigned int                     resumed_step = 0; ///< 0: the run began at its start
+    const Scene                      &scene;
+    const MPI_Comm                    communicator;
+    mutable Cost                      cost;
+    std::unique_ptr<Body<dim>>        body;
+    std::unique_ptr<Problem<dim>>     problem;
+    std::unique_ptr<Audience<dim>>    audience;
+    std::unique_ptr<Safekeeper<dim>>  safekeeper;
+    std::unique_ptr<MeshHistory<dim>> meshes;
+    Forecast                          forecast;
+    State                             last_good;          ///< after the last complete step
+    double                            observed     = -1.; ///< s; when the outputs were last asked
+    double                            loop_seconds = 0.;
+    std::optional<double>             resumed_from;     ///< s
+    unsigned int                      resumed_step = 0; ///< 0: the run began at its start
   };
 } // namespace Cautery

@@ -33,4 +33,11 @@ namespace Cautery
   {
     return cell_number<dim>(cell) << (dim * (most_divisions - cell->level()));
   }
+
+  /** How far apart such numbers are of cells on @p level of the mesh. */
+  template <int dim>
+  CellNumber cell_distance(const unsigned int level)
+  {
+    return CellNumber(1) << (dim * (most_divisions - level));
+  }
 } // namespace Cautery

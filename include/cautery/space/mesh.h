@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cautery/scene/mesh_settings.h>
-#include <cautery/space/cell_number.h>
+#include <cautery/space/divided_cells.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
@@ -21,14 +21,6 @@ namespace Cautery
 
   template <int dim>
   struct PlainMesh;
-
-  /// What an adaption does to a cell.
-  enum class CellChange : char
-  {
-    keep,
-    refine, ///< into 2^dim
-    coarsen ///< together with the others that were made of the same cell
-  };
 
   /** The number of faces at which the part of a process ends inside the body; seen on ghost cells only. */
   constexpr types::boundary_id no_surface = numbers::internal_face_boundary_id - 1;
@@ -49,17 +41,27 @@ namespace Cautery
     Mesh(const MeshSettings &settings, const MPI_Comm communicator);
 
     /**
-     * That mesh, adapted: @p changes by the active cell index of each process, for its own cells. More cells
-     * are refined and fewer coarsened, so that neighbours across a face differ by one division at most, and
-     * none are coarser than the scene's mesh. Hypercubes only, and @p mesh must be adaptive. Collective.
+     * That mesh, which must be adaptive, with the cells @p cells: see `cells_of_all`. Collective. Errors:
+     * ExcInput where these are of another mesh.
      */
-    Mesh(const Mesh &mesh, const std::vector<CellChange> &changes);
+    Mesh(const Mesh &mesh, const std::vector<CellNumber> &cells);
+
+    /**
+     * On process 0 the numbers (see `cell_order`) of all active cells, ascending; nothing on others. They are
+     * all that an adapted mesh depends on, beside the scene.
+     */
+    std::vector<CellNumber> cells_of_all() const;
+
+    /**
+     * The same after @p changes, by the active cell index of each process, of its own cells. More cells are
+     * refined and fewer coarsened, so that neighbours across a face differ by one division at most, and none
+     * are coarser than the scene's mesh. Hypercubes only. Collective.
+     */
+    std::vector<CellNumber> cells_of_all(const std::vector<CellChange> &changes) const;
 
     MPI_Comm                  communicator() const { return mpi_communicator; }
     const Triangulation<dim> &triangulation() const { return *cells; }
     const Mapping<dim>       &mapping() const { return *linear_mapping; }
-    /** Has the adaption that made it changed anything? Cells merge only where all parts of one may. */
-    bool changed() const { return has_changed; }
 
     /** How often the cell was divided since the scene's mesh. */
     unsigned int divisions(const typename Triangulation<dim>::active_cell_iterator &cell) const
@@ -98,8 +100,7 @@ namespace Cautery
 
   private:
     std::unique_ptr<Triangulation<dim>> make_whole(const MeshSettings &settings);
-    std::unique_ptr<Triangulation<dim>> adapt_whole(const Mesh                       &mesh,
-                                                    const std::map<CellNumber, char> &changes);
+    const Triangulation<dim>           &undistributed() const { return whole ? *whole : *cells; }
     void                                distribute(std::unique_ptr<Triangulation<dim>> new_whole);
     void                                finish();
     void                                share_description();
@@ -109,6 +110,7 @@ namespace Cautery
     const bool                                adaptive;
     const unsigned int                        coarsest; ///< level: that of the scene's mesh
     std::string                               label;
+    std::shared_ptr<Triangulation<dim>>       first; ///< the scene's mesh: of process 0, where it is adaptive
     std::unique_ptr<Triangulation<dim>>       whole; ///< of process 0, where it is distributed and adaptive
     std::unique_ptr<Triangulation<dim>>       cells;
     std::unique_ptr<Mapping<dim>>             linear_mapping;
@@ -116,8 +118,7 @@ namespace Cautery
     std::map<types::boundary_id, std::string> surface_names;
     std::map<types::material_id, double>      region_volumes;
     BoundingBox<dim>                          box;
-    std::size_t                               vertices    = 0;
-    bool                                      has_changed = true;
+    std::size_t                               vertices = 0;
     std::vector<std::string>                  mended;
   };
 } // namespace Cautery

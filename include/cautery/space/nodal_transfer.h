@@ -11,9 +11,11 @@ namespace Cautery
   /**
    * Carries nodal values from a mesh to the one adapted from it (Mesh::Mesh), each cell of which is one of
    * the old cells, a part of one, or made of several. Where cells are divided the field stays what it was;
-   * where they are merged it takes the old values at the nodes that remain.
+   * where they are merged it takes the old values at the nodes that remain. What is known at an old node
+   * stays so there, also where the field jumps between cells of different sizes, as damage does, which
+   * hanging nodes have of their own.
    *
-   * The old cells' owners find the values for the new cells and send them to their owners.
+   * The old cells' owners find the values for the new cells and send them to all who know these.
    */
   template <int dim>
   class NodalTransfer
@@ -34,6 +36,7 @@ namespace Cautery
     struct Source                                                 ///< of values for a new cell
     {
       typename DoFHandler<dim>::active_cell_iterator cell; ///< old
+      CellId                                         target;
       unsigned int                                   rule; ///< in `rules`
     };
     /// What a node of the new cell is made of; empty: it lies in another old cell.
@@ -41,13 +44,20 @@ namespace Cautery
 
     void make_rules();
     void find_sources();
-    void find_targets(const std::map<unsigned int, std::vector<CellId>> &sent);
+    void find_targets();
+    void receive(const std::map<unsigned int, std::vector<double>> &messages,
+                 const Field<dim>                                  &to_field,
+                 Vector                                            &result) const;
 
     const Field<dim>                           &from;
     const Field<dim>                           &to;
     std::vector<Rule>                           rules;   ///< same cell; parts 0, 1, ...; of which it is part
     std::map<unsigned int, std::vector<Source>> sources; ///< by receiving process
-    std::map<unsigned int, std::vector<std::vector<types::global_dof_index>>>
-      targets; ///< by sending process: the nodes of each cell in its order
+    struct Target                                        ///< a new cell
+    {
+      std::vector<types::global_dof_index> nodes;
+      unsigned int                         rule; ///< by which its values were made
+    };
+    std::map<unsigned int, std::vector<Target>> targets; ///< by sending process, in its order
   };
 } // namespace Cautery

@@ -27,7 +27,7 @@ namespace Cautery
           if (nodes.owned().is_element(dofs[i]))
             {
               CellNumber &number = result[nodes.owned().index_within_set(dofs[i])];
-              number             = std::min<CellNumber>(number, cell_number<dim>(cell) * dofs.size() + i);
+              number             = std::min<CellNumber>(number, cell_order<dim>(cell) * dofs.size() + i);
             }
       }
     return result;
