@@ -203,6 +203,7 @@ namespace Cautery
       {
         const Held       &node  = held[i];
         const std::size_t entry = node_record * node.node + heat;
+        // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): each held node has one
         if (node.temperature != last || node.temperature->depends_on_place())
           value = node.temperature->value(node.place, step.to);
         last         = node.temperature;

@@ -150,6 +150,7 @@ namespace Cautery
     for (std::size_t i = n_settled; i < held.size(); ++i)
       {
         const Held &entry = held[i];
+        // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): each held node has one
         if (entry.displacement != last || entry.displacement->depends_on_place())
           value = entry.displacement->value(entry.place, to);
         last               = entry.displacement;

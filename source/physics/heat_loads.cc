@@ -52,13 +52,14 @@ namespace Cautery
   }
 
   template <int dim>
-  void
-  HeatLoads<dim>::add_item(const HeatSource *source, const bool convection, HeatDistribution distribution)
+  void HeatLoads<dim>::add_item(const HeatSource       *source,
+                                const bool              convection,
+                                const HeatDistribution &distribution)
   {
     Item item;
     item.source       = source;
     item.convection   = convection;
-    item.distribution = std::move(distribution);
+    item.distribution = distribution;
     item.load         = field.vector();
     if (non_fourier)
       item.relaxed = field.vector();

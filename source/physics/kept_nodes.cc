@@ -92,8 +92,8 @@ namespace Cautery
         marks.add_probes(scene.output.probes(), locator);
       else
         marks.add_regions(nodes.mesh().region_ids({name}, "Numerics/Kept nodes"));
-    const IndexSet kept   = marks.marked();
-    const auto     n_kept = Utilities::MPI::sum(kept.n_elements(), nodes.communicator());
+    IndexSet   kept   = marks.marked();
+    const auto n_kept = Utilities::MPI::sum(kept.n_elements(), nodes.communicator());
     AssertThrow(
       n_kept > 0 && n_kept < nodes.n_unknowns(),
       ExcInput("Numerics/Kept nodes keeps " + std::to_string(n_kept) + " of " +

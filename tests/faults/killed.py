@@ -15,7 +15,8 @@ import time
 import cases
 from faults import Program, assert_identical, children
 
-NAMES = ["heat_that_lags_damages_and_stops_perfusion", "strain_energy", "error_control", "explicit"]
+NAMES = ["heat_that_lags_damages_and_stops_perfusion", "strain_energy", "error_control", "explicit",
+         "adaptive_heat"]
 BUSY = ["--set", "Output/Checkpoints/Steps=1", "--set", "Mesh/Subdivisions=4"]
 
 

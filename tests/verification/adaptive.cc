@@ -201,6 +201,17 @@ namespace
     return Utilities::MPI::max(largest, MPI_COMM_WORLD);
   }
 
+  /// What the indicator makes of a uniform field that has been computed.
+  double error_of_rounding(const Body<3> &body)
+  {
+    Cautery::Vector x = body.nodes.vector();
+    double          i = 0.;
+    for (double &value : x)
+      value = 310. * (1. + 1e-15 * std::sin(++i));
+    const GradientError error = gradient_error(body.nodes, body.tissues, body.nodes, x);
+    return std::max<double>(error.relative(), error.cells.linfty_norm());
+  }
+
   double difference(Cautery::Vector a, const Cautery::Vector &b)
   {
     a -= b;
@@ -225,6 +236,7 @@ namespace
         checks.near(label + "divided", difference(on_once, sampled(once.nodes)), 0., 1e-12);
         checks.near(label + "divided and merged", difference(on_twice, sampled(twice.nodes)), 0., 1e-12);
         checks.near(label + "old nodes keep their own", moved(once, twice), 0., 1e-12);
+        checks.near(label + "error of a uniform field", error_of_rounding(once), 0., 0.);
         Cautery::Vector no_damage = once.nodes.vector();
         std::fill(no_damage.begin(), no_damage.end(), -std::numeric_limits<double>::infinity());
         const auto still_none = carry(once, twice, no_damage);

@@ -91,7 +91,7 @@ namespace Cautery
       double            effective  = 0.; ///< amplitude with which it really acts, where jumps are neglected
     };
 
-    void   add_item(const HeatSource *source, const bool convection, HeatDistribution distribution);
+    void   add_item(const HeatSource *source, const bool convection, const HeatDistribution &distribution);
     Vector load_at(const Item &item, const double time) const;
     void   assemble_now(const Item &item, const double time, Vector &load, Vector *relaxed) const;
     void   book(const Item  &item,
