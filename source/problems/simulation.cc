@@ -68,7 +68,7 @@ namespace Cautery
                   safekeeper->checkpoint().file_name() + " holds t = " + to_text(safekeeper->time()) +
                   " s: go on with `cautery " + directory + "/scene.prm --resume --output " + directory + "`" :
                 "";
-    const RunRecord result = finish(state, directory, stopped ? "stopped" : "done", message, progress);
+    RunRecord result = finish(state, directory, stopped ? "stopped" : "done", message, progress);
     AssertThrow(!stopped, ExcRun(message));
     if (safekeeper)
       safekeeper->checkpoint().remove();

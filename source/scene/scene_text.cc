@@ -121,7 +121,7 @@ namespace Cautery
                                                  const std::string              &name,
                                                  const std::string              &default_names) const
   {
-    const auto        names = Utilities::split_string_list(peek(sections, name, default_names), ',');
+    auto              names = Utilities::split_string_list(peek(sections, name, default_names), ',');
     const std::string fault = fault_of_names(names);
     AssertThrow(
       fault.empty(),

@@ -66,7 +66,7 @@ EXPLICIT = ["Time/Integrator=explicit", "Effects/Deformation=explicit dynamics",
             "Heat sources/needle/Switch off at=0.2, 0.5", "Numerics/Explicit/Damping=50", "Output/Reactions=on"]
 
 ADAPTIVE = ["Mesh/Subdivisions=3", "Mesh/Adaptive/Follow=temperature", "Mesh/Adaptive/Target error=0.2",
-            "Mesh/Adaptive/Interval=3", "Mesh/Adaptive/Largest number of divisions=2"]
+            "Mesh/Adaptive/Interval=3", "Mesh/Adaptive/Largest number of divisions=2", "Time/Step=0.4"]
 
 CASES = {
     "heat": [],
@@ -104,7 +104,7 @@ CASES = {
     "adaptive_heat": [*ADAPTIVE, *NON_FOURIER, *DAMAGE, "Effects/Temperature-dependent properties=on",
                       "Tissues/tissue/Conductivity=310: 0.5, 330: 0.7"],
     "adaptive_two_way": [*ADAPTIVE, *STRAIN, "Effects/Coupling=two-way", "Effects/Damage=thermo-mechanical strain energy",
-                         "Mesh/Adaptive/Follow=both", "Output/Reactions=on"],
+                         "Mesh/Adaptive/Follow=both", "Output/Reactions=on", "Time/End=20"],
     "adaptive_error_control": [*ADAPTIVE, *IDA, *STRAIN, *DAMAGE],
     "explicit": [*EXPLICIT, *NON_FOURIER, *DAMAGE, "Numerics/Explicit/Averaged pressure=on", "Mesh/Cells=tetrahedra"],
     "explicit_single": [*EXPLICIT, "Numerics/Explicit/Precision=single", "Effects/Metabolism=Q10"],
