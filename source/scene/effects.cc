@@ -133,7 +133,7 @@ namespace Cautery
     std::vector<std::string> texts;
     for (const auto &[name, choice] : list(*this))
       if (!choice.empty())
-        texts.push_back(choice == "on" ? name : join({name, choice}, ": "));
+        texts.push_back(choice == "on" ? name : name + ": " + choice);
     return texts;
   }
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cautery/base/child_process.h>
 #include <cautery/base/parameters.h>
 #include <cautery/space/gmsh_file.h>
 
-#include <fcntl.h>
 #include <gmsh.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 
@@ -92,51 +86,26 @@ namespace Cautery
       return reason;
     }
 
-    [[noreturn]] void merge_as_child(const std::string &file_name, const int answer)
-    {
-      for (const int fault : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL})
-        std::signal(fault, SIG_DFL); // the program tells of it
-      const int nowhere = open("/dev/null", O_WRONLY);
-      dup2(nowhere, STDOUT_FILENO);
-      dup2(nowhere, STDERR_FILENO);
-      start_gmsh();
-      const std::string reason = merge(file_name);
-      if (reason.empty())
-        {
-          // a cell of a node that is not there shows here
-          std::vector<int>                      types;
-          std::vector<std::vector<std::size_t>> tags, nodes;
-          gmsh::model::mesh::getElements(types, tags, nodes);
-        }
-      gmsh::finalize();
-      _exit(write(answer, reason.data(), reason.size()) < 0 ? EXIT_FAILURE : EXIT_SUCCESS);
-    }
-
     /**
      * Some broken files make gmsh write where it may not, which ends a process or leaves it without sense:
      * a child reads first, and the program only what the child could. Why it could not, or "".
      */
     std::string fault_met_by_child(const std::string &file_name)
     {
-      int ends[2];
-      if (pipe(ends) != 0)
-        return "";
-      const pid_t child = fork();
-      if (child == 0)
-        merge_as_child(file_name, ends[1]);
-      close(ends[1]);
-      std::string           reason;
-      std::array<char, 256> text;
-      for (ssize_t n = 0; child > 0 && (n = read(ends[0], text.data(), text.size())) > 0;)
-        reason.append(text.data(), n);
-      close(ends[0]);
-      int   status = EXIT_SUCCESS;
-      pid_t ended  = child;
-      do
-        ended = child < 0 ? child : waitpid(child, &status, 0);
-      while (ended < 0 && child > 0 && errno == EINTR);
-      const bool lived = ended < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS);
-      return lived ? reason : "it breaks gmsh: a count, number or type in it is impossible";
+      const auto reason = found_by_child([&]() {
+        start_gmsh();
+        std::string fault = merge(file_name);
+        if (fault.empty())
+          {
+            // a cell of a node that is not there shows here
+            std::vector<int>                      types;
+            std::vector<std::vector<std::size_t>> tags, nodes;
+            gmsh::model::mesh::getElements(types, tags, nodes);
+          }
+        gmsh::finalize();
+        return fault;
+      });
+      return reason ? *reason : "it breaks gmsh: a count, number or type in it is impossible";
     }
   } // namespace
 

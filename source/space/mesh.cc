@@ -2,6 +2,7 @@
 #include <cautery/space/box.h>
 #include <cautery/space/mesh.h>
 #include <cautery/space/mesh_file.h>
+#include <cautery/space/partition.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -218,7 +219,7 @@ namespace Cautery
     std::map<unsigned int, Description> parts;
     if (whole)
       {
-        GridTools::partition_triangulation(n_processes, *whole, SparsityTools::Partitioner::metis);
+        partition(*whole, n_processes);
         for (unsigned int process = 0; process < n_processes; ++process)
           parts[process] = TriangulationDescription::Utilities::create_description_from_triangulation(
             *whole, mpi_communicator, TriangulationDescription::Settings::default_setting, process);

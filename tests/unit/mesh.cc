@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Meshes from boxes and files, what is mended and what is refused in them, and finding points. The output is
 // the same on any number of processes.
+#include <cautery/base/interruption.h>
 #include <cautery/space/mesh.h>
+#include <cautery/space/partition.h>
 #include <cautery/space/points.h>
 
 #include <deal.II/base/conditional_ostream.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/grid/grid_generator.h>
 
 #include <gmsh.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <limits>
 #include <random>
+#include <set>
 #include <sstream>
 
+#include <sys/time.h>
 #include <unistd.h>
 
 using namespace Cautery;
@@ -400,6 +407,39 @@ namespace
                                         {"Probe `tip`"});
     });
   }
+
+  /// Signals that come at any time while a mesh is cut: each reaches whom it is for, and the cut is done.
+  void test_signals()
+  {
+    out << "\nSIGTERM while METIS cuts a mesh" << std::endl;
+    Triangulation<3> mesh;
+    GridGenerator::subdivided_hyper_cube(mesh, 16);
+    struct sigaction now = {};
+    now.sa_handler       = [](const int) { std::raise(SIGTERM); };
+    sigaction(SIGALRM, &now, nullptr);
+    unsigned int asked = 0, obeyed_at_once = 0, parts = 0;
+    for (unsigned int milliseconds = 1; milliseconds <= 30; ++milliseconds)
+      {
+        Interruption    interruption;
+        const itimerval after{{0, 0}, {0, 1000 * milliseconds}};
+        setitimer(ITIMER_REAL, &after, nullptr);
+        partition(mesh, 4);
+        // the timer may be slower than METIS, and the signal come to another thread
+        const Timer clock;
+        while (interruption.wish() != Interruption::Wish::stop && clock.wall_time() < 10.)
+          ;
+        asked += clock.wall_time() < 10.;
+        struct sigaction second = {};
+        sigaction(SIGTERM, nullptr, &second);
+        obeyed_at_once += second.sa_handler == SIG_DFL;
+        std::set<types::subdomain_id> found;
+        for (const auto &cell : mesh.active_cell_iterators())
+          found.insert(cell->subdomain_id());
+        parts += found.size();
+      }
+    out << "of 30 runs asked to stop: " << asked << ", a second signal would end: " << obeyed_at_once
+        << ", parts in all: " << parts << std::endl;
+  }
 } // namespace
 
 int main(int argc, char **argv)
@@ -428,6 +468,7 @@ int main(int argc, char **argv)
   test_mending();
   test_names();
   test_points();
+  test_signals();
 
   MPI_Barrier(communicator);
   std::filesystem::current_path("/");
