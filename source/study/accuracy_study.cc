@@ -160,7 +160,7 @@ namespace Cautery
     Runner     runner(origin, result.quantities, scene.accuracy.repeats, directory + "/runs", communicator);
     const auto run =
       [&](const std::string &folder, const std::string &what, const std::vector<Override> &changes) {
-        const Outcome outcome = runner.run(folder, changes);
+        Outcome outcome = runner.run(folder, changes);
         progress.say(what, outcome);
         return outcome;
       };

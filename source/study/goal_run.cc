@@ -150,7 +150,7 @@ namespace Cautery
       Outcome run(const unsigned int mesh, const unsigned int time)
       {
         const std::string name    = "mesh_" + std::to_string(mesh) + "_time_" + std::to_string(time);
-        const Outcome     outcome = runner.run(name, changes(mesh, time));
+        Outcome           outcome = runner.run(name, changes(mesh, time));
         if (outcome.is_new)
           progress.say(changes_text(changes(mesh, time)), outcome);
         AssertThrow(outcome.succeeded(), ExcRun("a trial run failed: " + outcome.message));
