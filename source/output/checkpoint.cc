@@ -241,8 +241,12 @@ namespace Cautery
   template <int dim>
   std::vector<CellNumber> Checkpoint<dim>::cells() const
   {
-    const auto    image = open();
-    const Numbers cells = image ? image->numbers("about/cells") : Numbers();
+    const auto image = open();
+    Numbers    cells;
+    fail_together(communicator, [&]() {
+      if (first)
+        cells = image->numbers("about/cells");
+    });
     return std::vector<CellNumber>(cells.begin(), cells.end());
   }
 

@@ -42,12 +42,15 @@ namespace Cautery
   template <int dim>
   RunRecord Simulation<dim>::run(const std::string &directory, const Voice voice, const bool resume_it)
   {
-    State    state = problem->start(); // which may refuse the input: nothing must have been written
+    // what may refuse the input comes first: nothing must have been written, or be lost
+    State    state = problem->start();
     Progress progress(communicator, voice == Voice::speaks, scene.time.end);
-    last_good = state;
     audience->write_to(directory);
     if (voice == Voice::speaks) // runs of a study are short, and end as it does
       safekeeper = std::make_unique<Safekeeper<dim>>(directory, scene, *body, *problem, cost);
+    if (resume_it && scene.mesh.adaptive.is_on())
+      take_stored_mesh(state);
+    last_good    = state;
     bool stopped = false;
     try
       {
@@ -88,20 +91,22 @@ namespace Cautery
     observe(state);
   }
 
+  /// The mesh that the checkpoint's state is on.
+  template <int dim>
+  void Simulation<dim>::take_stored_mesh(State &state)
+  {
+    Adapted<dim> stored = adapt(scene, *body, safekeeper->checkpoint().cells(), cost);
+    if (!stored.problem)
+      return;
+    state = stored.problem->start();
+    use(std::move(stored));
+  }
+
   template <int dim>
   void Simulation<dim>::resume(const std::string &directory, State &state, Progress &progress)
   {
     progress.say(description(scene, *body, *problem)); // which the log has already
     progress.log_to(directory + "/log.txt");
-    if (scene.mesh.adaptive.is_on())
-      {
-        Adapted<dim> stored_one = adapt(scene, *body, safekeeper->checkpoint().cells(), cost);
-        if (stored_one.problem)
-          {
-            state = stored_one.problem->start();
-            use(std::move(stored_one));
-          }
-      }
     Archive stored = safekeeper->checkpoint().read();
     archive(stored, state, progress);
     safekeeper->resumed_at(state);

@@ -71,7 +71,7 @@ namespace Cautery
         if (more)
           result->execute_coarsening_and_refinement();
       }
-    AssertThrow(result->n_active_cells() == cells.size(),
+    AssertThrow(active_cells(*result) == cells,
                 ExcInput("the " + std::to_string(cells.size()) +
                          " cells of an adapted mesh are not parts of the mesh that the scene begins with"));
     return result;

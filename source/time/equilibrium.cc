@@ -65,8 +65,6 @@ namespace Cautery
 
   std::map<std::string, double> LinearEquilibrium::statistics() const
   {
-    if (n_iterations == 0)
-      return {};
     return {{"linear_iterations_deformation", n_iterations}};
   }
 } // namespace Cautery

@@ -285,6 +285,7 @@ namespace Cautery
         force -= product;
       }
     heat.elimination().condense(force);
+    // NOLINTNEXTLINE(clang-analyzer-core.NonNullParamChecker): the second order comes with the inertia
     mass_solver.set_matrix(second_order ? heat.inertia()->reduced : heat.damping()->reduced);
     mass_solver.solve(highest, force, 1e-12);
     heat.elimination().distribute(highest);

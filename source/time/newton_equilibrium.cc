@@ -115,7 +115,7 @@ namespace Cautery
         if (iteration == settings.max_iterations)
           break;
         ++n_newton;
-        const Failure failure = must_move ? advance(target, moves, x) : descend(target, x);
+        Failure failure = must_move ? advance(target, moves, x) : descend(target, x);
         if (!failure.empty())
           return failure;
         must_move = false;
@@ -128,7 +128,7 @@ namespace Cautery
   template <int dim>
   std::string NewtonEquilibrium<dim>::advance(const Loading &target, const Vector &moves, Vector &x)
   {
-    const Failure failure = find_direction(target, moves, x);
+    Failure failure = find_direction(target, moves, x);
     if (!failure.empty())
       return failure;
     x += moves;

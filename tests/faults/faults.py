@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the tests of faults share: runs that are interrupted, and whether what they leave is the same."""
 import csv
+import json
 import os
 import pathlib
 import re
@@ -76,6 +77,9 @@ def assert_identical(folder, expected):
     assert found.keys() == wanted.keys(), f"files {found.keys() ^ wanted.keys()} are in one folder only"
     different = [name for name in wanted if found[name] != wanted[name]]
     assert not different, f"{different} differ from {expected}"
+    one, other = (json.loads((place / "summary.json").read_text()) for place in (folder, expected))
+    for part in ("statistics", "errors", "adaption", "balance"):
+        assert one.get(part) == other.get(part), f"{part} in summary.json: {one.get(part)} in the place of {other.get(part)}"
     assert not list(folder.glob("*.part")), "a file is left half written"
     assert not (folder / "checkpoint.h5").exists(), "the checkpoint is left though the run is done"
 

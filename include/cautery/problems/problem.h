@@ -59,9 +59,10 @@ namespace Cautery
     virtual void start_anew() {}
 
     /** By name: temperature, displacement, ... */
-    virtual std::map<std::string, types::global_dof_index> unknowns() const   = 0;
-    virtual std::map<std::string, double>                  statistics() const = 0;
-    /** See Integrator. */
+    virtual std::map<std::string, types::global_dof_index> unknowns() const = 0;
+    /** The names do not depend on what has been counted so far: archives are written and read by them. */
+    virtual std::map<std::string, double> statistics() const = 0;
+    /** See Integrator; the same holds. */
     virtual std::map<std::string, TimeError> time_errors() const { return {}; }
   };
 

@@ -56,6 +56,7 @@ namespace Cautery
     void        advance(State &state, const double stop, Progress &progress);
     void        adapt_mesh(State &state, Progress &progress);
     void        use(Adapted<dim> next);
+    void        take_stored_mesh(State &state);
     void        foretell(const double length, const double seconds, const double time);
     void        observe(State &state);
     void        observe_last_good();

@@ -54,7 +54,7 @@ namespace Cautery
 
     /**
      * The same after @p changes, by the active cell index of each process, of its own cells. More cells are
-     * refined and fewer coarsened, so that neighbours across a face differ by one division at most, and none
+     * refined and fewer coarsened, so that neighbours across an edge differ by one division at most, and none
      * are coarser than the scene's mesh. Hypercubes only. Collective.
      */
     std::vector<CellNumber> cells_of_all(const std::vector<CellChange> &changes) const;
