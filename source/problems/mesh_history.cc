@@ -35,12 +35,18 @@ namespace Cautery
   }
 
   template <int dim>
+  void MeshHistory<dim>::add(const Problem<dim> &problem)
+  {
+    for (const auto &[name, count] : problem.statistics())
+      statistics[name] += count;
+    for (const auto &[name, error] : problem.time_errors())
+      time_errors[name] += error;
+  }
+
+  template <int dim>
   void MeshHistory<dim>::change(const Problem<dim> &before, const Mesh<dim> &next_mesh)
   {
-    for (const auto &[name, count] : before.statistics())
-      statistics[name] += count;
-    for (const auto &[name, error] : before.time_errors())
-      time_errors[name] += error;
+    add(before);
     ++adaption.times;
     adaption.last_cells = next_mesh.n_cells();
     adaption.most_cells = std::max(adaption.most_cells, adaption.last_cells);
@@ -49,17 +55,12 @@ namespace Cautery
   template <int dim>
   void MeshHistory<dim>::tell(const Problem<dim> &present, RunRecord &record) const
   {
-    record.statistics = statistics;
-    for (const auto &[name, count] : present.statistics())
-      record.statistics[name] += count;
-    for (auto [name, error] : present.time_errors())
-      {
-        const auto earlier = time_errors.find(name);
-        if (earlier != time_errors.end())
-          error += earlier->second;
-        if (error.steps > 0)
-          record.time_errors[name] = error;
-      }
+    MeshHistory all = *this;
+    all.add(present);
+    record.statistics = all.statistics;
+    for (const auto &[name, error] : all.time_errors)
+      if (error.steps > 0)
+        record.time_errors[name] = error;
     if (settings.is_on())
       record.adaption = adaption;
   }

@@ -238,7 +238,7 @@ namespace Cautery
     meshes->change(*problem, next.body->mesh);
     use(std::move(next));
     last_good = state;
-    progress.say("t = " + to_text(state.time) + " s  mesh adapted: " + std::to_string(meshes->n_cells()) +
+    progress.say("t = " + to_text(state.time) + " s  mesh adapted: " + std::to_string(body->mesh.n_cells()) +
                  " cells\n");
   }
 

@@ -3,45 +3,32 @@
 #include <cautery/base/exceptions.h>
 #include <cautery/space/partition.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <deal.II/grid/grid_tools.h>
 
-#include <cstring>
 #include <vector>
 
 namespace Cautery
 {
-  namespace
-  {
-    /// In bytes, of the active cells in their order.
-    template <int dim>
-    std::string cut(Triangulation<dim> &mesh, const unsigned int n)
-    {
-      GridTools::partition_triangulation(n, mesh, SparsityTools::Partitioner::metis);
-      std::string parts;
-      for (const auto &cell : mesh.active_cell_iterators())
-        {
-          const types::subdomain_id part = cell->subdomain_id();
-          parts.append(reinterpret_cast<const char *>(&part), sizeof(part));
-        }
-      return parts;
-    }
-  } // namespace
-
   template <int dim>
   void partition(Triangulation<dim> &mesh, const unsigned int n)
   {
-    const auto parts = found_by_child([&]() { return cut(mesh, n); });
-    AssertThrow(parts && parts->size() == mesh.n_active_cells() * sizeof(types::subdomain_id),
+    using Parts     = std::vector<types::subdomain_id>; // of the active cells in their order
+    const auto said = found_by_child([&]() {
+      GridTools::partition_triangulation(n, mesh, SparsityTools::Partitioner::metis);
+      Parts parts(mesh.n_active_cells());
+      GridTools::get_subdomain_association(mesh, parts);
+      const std::vector<char> bytes = Utilities::pack(parts, false);
+      return std::string(bytes.begin(), bytes.end());
+    });
+    AssertThrow(said,
                 ExcRun("METIS cannot cut a mesh of " + std::to_string(mesh.n_active_cells()) +
                        " cells into " + std::to_string(n) + " parts; use fewer processes"));
-    const char *next = parts->data();
+    const auto parts = Utilities::unpack<Parts>(std::vector<char>(said->begin(), said->end()), false);
+    auto       part  = parts.begin();
     for (const auto &cell : mesh.active_cell_iterators())
-      {
-        types::subdomain_id part;
-        std::memcpy(&part, next, sizeof(part));
-        next += sizeof(part);
-        cell->set_subdomain_id(part);
-      }
+      cell->set_subdomain_id(*part++);
   }
 
   template void partition(Triangulation<2> &, const unsigned int);

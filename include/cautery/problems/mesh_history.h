@@ -26,8 +26,6 @@ namespace Cautery
     /** The run goes on on @p next, and leaves @p before. */
     void change(const Problem<dim> &before, const Mesh<dim> &next);
 
-    unsigned int n_cells() const { return adaption.last_cells; }
-
     /** Into @p record: the counts and errors in time of all meshes, the last of which is that of @p present.
      */
     void tell(const Problem<dim> &present, RunRecord &record) const;
@@ -36,6 +34,8 @@ namespace Cautery
     void archive(Archive &archive, const Problem<dim> &present);
 
   private:
+    void add(const Problem<dim> &problem);
+
     const AdaptiveSettings          &settings;
     const double                     end;  ///< s
     double                           next; ///< time of the next adaption, s
