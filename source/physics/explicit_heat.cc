@@ -40,19 +40,20 @@ namespace Cautery
     , prescribed(field, boundaries, prescribed_temperature)
     , outside(scene, field, tissues, boundaries, locator)
   {
+    std::vector<typename HeldRecords<Number>::Held> all;
     prescribed.for_each_owned(
       [&](const types::global_dof_index node, const Expression &temperature, const Point<3> &place) {
-        held.push_back({nodes.local(node), &temperature, place});
+        all.push_back({node_record * nodes.local(node) + heat, &temperature, place});
       });
-    std::stable_partition(
-      held.begin(), held.end(), [](const Held &node) { return !node.temperature->depends_on_time(); });
+    held = HeldRecords<Number>(std::move(all));
     for (auto *vector : {&capacity, &storage, &blood_weights, &surface_weights, &inside, &delivered})
       *vector = field.vector();
     if (non_fourier)
       {
-        relaxation     = field.vector();
-        metabolic_rate = field.vector();
-        conducted      = field.vector();
+        relaxation    = field.vector();
+        impulse       = field.vector();
+        delayed_blood = field.vector();
+        conducted     = field.vector();
       }
     assemble(nullptr, nullptr, nullptr);
   }
@@ -61,7 +62,7 @@ namespace Cautery
   void ExplicitHeat<Number>::assemble(const Vector *before, const Vector *now, const Vector *ln_damage)
   {
     const std::vector<Vector *> vectors = {
-      &capacity, &relaxation, &storage, &blood_weights, &surface_weights, &inside, &metabolic_rate};
+      &capacity, &relaxation, &storage, &blood_weights, &surface_weights, &inside, &impulse, &delayed_blood};
     for (Vector *vector : vectors)
       *vector = 0.;
     double                 blood_of_cells = 0., metabolism_of_cells = 0.;
@@ -94,7 +95,8 @@ namespace Cautery
         if (non_fourier)
           {
             add(relaxation, [&](const unsigned int i) { return tau * terms.capacity(i, i); });
-            add(metabolic_rate, [&](const unsigned int i) { return tau * terms.metabolism_growth(i); });
+            add(impulse, [&](const unsigned int i) { return tau * terms.metabolism_growth(i); });
+            add(delayed_blood, [&](const unsigned int i) { return tau * terms.blood_source(i); });
           }
       }
     for (Vector *vector : vectors)
@@ -108,7 +110,6 @@ namespace Cautery
   {
     start_temperature = state.temperature;
     last_temperature  = state.temperature;
-    n_dead            = numbers::invalid_unsigned_int; // the constructor knew no damage
     refresh(state);
     if (!non_fourier)
       return;
@@ -121,27 +122,36 @@ namespace Cautery
     conducted *= -1.;
   }
 
+  /** With blood and surroundings: int tau (w (T - T_b) + h T) N, J per node. */
   template <typename Number>
-  bool ExplicitHeat<Number>::dead_changed(const State &state)
+  Vector ExplicitHeat<Number>::delayed_exchange(const Vector &temperature) const
   {
-    unsigned int dead = 0;
-    for (const double value : state.ln_damage)
-      dead += value >= 0. ? 1 : 0;
-    dead = Utilities::MPI::sum(dead, field.communicator());
-    return std::exchange(n_dead, dead) != dead;
+    Vector result = storage;
+    result -= capacity;
+    result.scale(temperature);
+    result -= delayed_blood;
+    return result;
   }
 
   template <typename Number>
   bool ExplicitHeat<Number>::refresh(const State &state)
   {
     const bool grows    = scene.effects.metabolism == Effects::Metabolism::q10;
-    const bool new_dead = scene.effects.perfusion_stops_in_dead_tissue && dead_changed(state);
+    const bool is_first = dead.ln_damage().size() == 0; // the constructor knew no damage
+    const bool new_dead = scene.effects.perfusion_stops_in_dead_tissue && dead.update(state.ln_damage);
     if (!grows && !new_dead)
       return false;
+    const bool   falls     = non_fourier && new_dead && !is_first; // see StoppedPerfusion
+    Vector       fallen    = falls ? delayed_exchange(state.temperature) : Vector();
     const Vector before    = field.ghosted(last_temperature);
     const Vector now       = field.ghosted(state.temperature);
     const Vector ln_damage = scene.effects.has_damage() ? field.ghosted(state.ln_damage) : Vector();
     assemble(&before, &now, scene.effects.has_damage() ? &ln_damage : nullptr);
+    if (falls)
+      {
+        fallen -= delayed_exchange(state.temperature);
+        impulse += fallen;
+      }
     last_temperature = state.temperature;
     return new_dead;
   }
@@ -160,11 +170,7 @@ namespace Cautery
         gain[entry]                = 1. / together;
         exchange[entry]            = e;
       }
-    for (const Held &node : held)
-      {
-        keep[node_record * node.node + heat] = 1.;
-        gain[node_record * node.node + heat] = 0.;
-      }
+    held.keep_rates(keep, gain);
   }
 
   template <typename Number>
@@ -174,8 +180,8 @@ namespace Cautery
     if (non_fourier)
       {
         // all at once, as metabolism itself has changed
-        force.add(1. / step.length(), metabolic_rate);
-        metabolic_rate = 0.;
+        force.add(1. / step.length(), impulse);
+        impulse = 0.;
       }
     outside.add(step, force);
     for (std::uint32_t node = 0; node < force.locally_owned_size(); ++node)
@@ -196,29 +202,16 @@ namespace Cautery
                                        const Records &flow,
                                        Records       &rates)
   {
-    const Expression *last  = nullptr;
-    double            value = 0.;
-    std::size_t       still = n_settled;
-    for (std::size_t i = n_settled; i < held.size(); ++i)
-      {
-        const Held       &node  = held[i];
-        const std::size_t entry = node_record * node.node + heat;
-        // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): each held node has one
-        if (node.temperature != last || node.temperature->depends_on_place())
-          value = node.temperature->value(node.place, step.to);
-        last         = node.temperature;
-        rates[entry] = (value - zero_temperature - values[entry]) / step.length();
-        if (still == i && !last->depends_on_time() && rates[entry] == 0)
-          ++still;
-      }
-    if (std::exchange(n_settled, still) != still)
+    const std::size_t before = held.n_settled();
+    held.set_rates(step.to, step.length(), zero_temperature, values, rates);
+    if (held.n_settled() != before)
       sum_settled(values);
 
     double into_held = 0.;
     if (non_fourier)
       relax(step, flow);
-    for (const Held &node : held)
-      into_held += non_fourier ? conducted.begin()[node.node] : -flow[node_record * node.node + heat];
+    for (const auto &number : held.all())
+      into_held += non_fourier ? conducted.begin()[number.entry / node_record] : -flow[number.entry];
     taken += step.length() * into_held;
   }
 
@@ -249,8 +242,8 @@ namespace Cautery
   void ExplicitHeat<Number>::sum_settled(const Records &values)
   {
     settled = 0.;
-    for (std::size_t i = 0; i < n_settled; ++i)
-      settled += brought(held[i].node, values[node_record * held[i].node + heat]);
+    for (std::size_t i = 0; i < held.n_settled(); ++i)
+      settled += brought(held.all()[i].entry / node_record, values[held.all()[i].entry]);
   }
 
   template <typename Number>
@@ -271,10 +264,10 @@ namespace Cautery
       }
     bled += duration * blood_source;
     taken += duration * settled;
-    for (std::size_t i = n_settled; i < held.size(); ++i)
+    for (std::size_t i = held.n_settled(); i < held.all().size(); ++i)
       {
-        const auto        node  = held[i].node;
-        const std::size_t entry = node_record * node + heat;
+        const std::uint32_t entry = held.all()[i].entry;
+        const std::uint32_t node  = entry / node_record;
         taken += duration * (brought(node, values[entry]) - capacity.begin()[node] * rates[entry]);
       }
   }
@@ -309,24 +302,23 @@ namespace Cautery
   {
     if (scene.effects.metabolism == Effects::Metabolism::q10)
       archive.nodal("last temperature", last_temperature);
+    dead.archive(archive, state.temperature);
     if (archive.restores() && scene.effects.perfusion_stops_in_dead_tissue)
       {
-        // what is dead stays dead: as many dead nodes as at the last assembly are the same ones
         const Vector temperature = field.ghosted(state.temperature),
-                     ln_damage   = field.ghosted(state.ln_damage);
+                     ln_damage   = field.ghosted(dead.ln_damage());
         assemble(&temperature, &temperature, &ln_damage);
       }
-    archive.shared("dead nodes", n_dead);
-    std::vector<double> settled_nodes = {static_cast<double>(n_settled)};
+    std::vector<double> settled_nodes = {static_cast<double>(held.n_settled())};
     if (archive.own("settled nodes", settled_nodes))
-      n_settled = settled_nodes.front();
+      held.set_settled(static_cast<std::size_t>(settled_nodes.front()));
 
     outside.archive(archive);
     received.archive(archive);
     archive.nodal("start temperature", start_temperature);
     archive.nodal("conducted", conducted);
     archive.nodal("inside", inside);
-    archive.nodal("metabolic rate", metabolic_rate);
+    archive.nodal("impulse", impulse);
     archive.summed("lost to blood", blood);
     archive.shared("brought by blood", bled);
     archive.shared("made by metabolism", made);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/physics/explicit_motion.h>
 
-#include <algorithm>
-#include <functional>
+#include <utility>
 
 namespace Cautery
 {
@@ -53,18 +52,14 @@ namespace Cautery
   template <typename Number>
   void ExplicitMotion<Number>::find_held(const Supports<3> &supports)
   {
+    std::vector<typename HeldRecords<Number>::Held> all;
     supports.prescribed_displacements().for_each_owned(
-      [this](const types::global_dof_index unknown, const Expression &displacement, const Point<3> &place) {
-        held.push_back({node_record * nodes.local(unknown / dim) + static_cast<std::uint32_t>(unknown % dim),
-                        &displacement,
-                        place});
+      [&](const types::global_dof_index unknown, const Expression &displacement, const Point<3> &place) {
+        all.push_back({node_record * nodes.local(unknown / dim) + static_cast<std::uint32_t>(unknown % dim),
+                       &displacement,
+                       place});
       });
-    // first those that may settle, and one after the other those that follow the same expression
-    std::stable_sort(held.begin(), held.end(), [](const Held &a, const Held &b) {
-      if (a.displacement->depends_on_time() != b.displacement->depends_on_time())
-        return b.displacement->depends_on_time();
-      return std::less<const Expression *>()(a.displacement, b.displacement);
-    });
+    held = HeldRecords<Number>(std::move(all));
   }
 
   template <typename Number>
@@ -96,11 +91,7 @@ namespace Cautery
           keep[node_record * node + c] = (1. - brake) / (1. + brake);
           gain[node_record * node + c] = duration / (masses[node] * (1. + brake));
         }
-    for (const Held &entry : held)
-      {
-        keep[entry.entry] = 1.;
-        gain[entry.entry] = 0.;
-      }
+    held.keep_rates(keep, gain);
   }
 
   template <typename Number>
@@ -135,29 +126,6 @@ namespace Cautery
         force = roller.along * force;
         for (unsigned int c = 0; c < dim; ++c)
           forces[roller.entry + c] = force[c];
-      }
-  }
-
-  template <typename Number>
-  void ExplicitMotion<Number>::prescribe(const double   to,
-                                         const double   duration,
-                                         const Records &values,
-                                         Records       &rates)
-  {
-    const Expression *last    = nullptr;
-    double            value   = 0.;
-    bool              settled = true;
-    for (std::size_t i = n_settled; i < held.size(); ++i)
-      {
-        const Held &entry = held[i];
-        // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): each held node has one
-        if (entry.displacement != last || entry.displacement->depends_on_place())
-          value = entry.displacement->value(entry.place, to);
-        last               = entry.displacement;
-        rates[entry.entry] = (value - values[entry.entry]) / duration;
-        settled            = settled && !last->depends_on_time() && rates[entry.entry] == 0;
-        if (settled)
-          n_settled = i + 1;
       }
   }
 

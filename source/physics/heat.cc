@@ -46,7 +46,6 @@ namespace Cautery
     , boundaries(boundaries)
     , non_fourier(scene.effects.heat == Effects::Heat::non_fourier)
     , properties_change(scene.thermal_properties_change())
-    , perfusion_stops(scene.effects.perfusion_stops_in_dead_tissue)
     , prescribed(field, boundaries, prescribed_temperature)
     , kept(kept_nodes(scene, field, locator))
     , outside(scene, field, tissues, boundaries, locator)
@@ -61,6 +60,8 @@ namespace Cautery
 
     initialize_matrices();
     initialize_books();
+    if (scene.effects.perfusion_stops_in_dead_tissue)
+      stopped = std::make_unique<StoppedPerfusion<dim>>(field, non_fourier, conduction.full);
     if (!changes())
       assemble(nullptr, nullptr, nullptr);
     if (scene.numerics.temperature_limiter)
@@ -158,6 +159,8 @@ namespace Cautery
         nothing_fixed.distribute_local_to_global(terms.capacity, terms.dofs, bookkeeping.capacity);
         nothing_fixed.distribute_local_to_global(terms.exchange, terms.dofs, bookkeeping.exchange);
       }
+    if (stopped)
+      stopped->add(tau, terms, nothing_fixed);
     bookkeeping.blood_weights.add(terms.dofs, terms.blood_weights);
     bookkeeping.surface_weights.add(terms.dofs, terms.surface_weights);
     bookkeeping.blood_source.add(terms.dofs, terms.blood_source);
@@ -185,6 +188,8 @@ namespace Cautery
       }
     bookkeeping.capacity = 0.;
     bookkeeping.exchange = 0.;
+    if (stopped)
+      stopped->clear();
     for (auto *vector : {&inside,
                          &bookkeeping.blood_weights,
                          &bookkeeping.surface_weights,
@@ -219,6 +224,8 @@ namespace Cautery
       }
     bookkeeping.capacity.compress(VectorOperation::add);
     bookkeeping.exchange.compress(VectorOperation::add);
+    if (stopped)
+      stopped->compress();
     for (auto *vector : {&inside,
                          &bookkeeping.blood_weights,
                          &bookkeeping.surface_weights,
@@ -230,8 +237,8 @@ namespace Cautery
   template <int dim>
   bool Heat<dim>::refresh(const State &state, const Vector &x)
   {
-    const bool new_dead = perfusion_stops && dead_changed(state);
-    if (!properties_change && !new_dead && assembled)
+    const bool died = stopped && stopped->update(state);
+    if (!properties_change && !died && assembled)
       {
         if (scene.effects.metabolism == Effects::Metabolism::q10)
           assemble_metabolism(state.temperature, x);
@@ -239,24 +246,19 @@ namespace Cautery
       }
     const Vector before = field.ghosted(state.temperature);
     const Vector now    = field.ghosted(x);
-    if (perfusion_stops)
+    if (stopped)
       {
+        const bool   change    = died && assembled;
         const Vector ln_damage = field.ghosted(state.ln_damage);
+        if (change)
+          stopped->before_change(state);
         assemble(&before, &now, &ln_damage);
+        if (change)
+          stopped->after_change(state);
       }
     else
       assemble(&before, &now, nullptr);
     return true;
-  }
-
-  template <int dim>
-  bool Heat<dim>::dead_changed(const State &state)
-  {
-    unsigned int dead = 0;
-    for (const double value : state.ln_damage)
-      dead += value >= 0. ? 1 : 0;
-    dead = Utilities::MPI::sum(dead, field.communicator());
-    return std::exchange(n_dead, dead) != dead;
   }
 
   template <int dim>
@@ -285,6 +287,8 @@ namespace Cautery
   {
     force.equ(1. / step.length(), inside); // tau dQ_met/dt, a difference quotient
     force.add(1., bookkeeping.blood_source, 1., bookkeeping.metabolism);
+    if (stopped)
+      stopped->add_impulse(step, force);
     outside.add(step, force);
   }
 
@@ -346,13 +350,15 @@ namespace Cautery
     outside.archive(archive);
     if (!changes())
       return;
-    if (archive.restores())
-      {
-        // what is dead stays dead: as many dead nodes as at the last assembly are the same ones
-        assembled = false;
-        refresh(state, state.temperature);
-      }
-    archive.shared("dead nodes", n_dead);
+    if (stopped)
+      stopped->archive(archive, state.temperature);
+    if (!archive.restores())
+      return;
+    State last = state;
+    if (stopped && stopped->ln_damage().size() > 0)
+      last.ln_damage = stopped->ln_damage();
+    assembled = false;
+    refresh(last, last.temperature);
   }
 
   template Vector initial_temperature(const Scene &, const Field<2> &);

@@ -52,11 +52,11 @@ namespace Cautery
       take_stored_mesh(state);
     last_good    = state;
     bool stopped = false;
+    if (resume_it) // until the state is there, nothing must be written for it
+      resume(directory, state, progress);
     try
       {
-        if (resume_it)
-          resume(directory, state, progress);
-        else
+        if (!resume_it)
           begin(directory, state, progress);
         stopped = !go(state, progress, false);
       }
@@ -169,7 +169,8 @@ namespace Cautery
   std::string
   Simulation<dim>::end_failed(const std::string &directory, const ExcRun &failure, Progress &progress)
   {
-    std::string message = message_of(failure);
+    std::string message =
+      message_of(failure) + "; the last good state is that of t = " + to_text(last_good.time) + " s";
     try
       {
         observe_last_good();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/space/box.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +24,7 @@ namespace Cautery
                   ExcInput("Mesh/Subdivisions: a box needs 1 or " + std::to_string(dim) + " numbers, not " +
                            std::to_string(numbers.size())));
       std::array<unsigned int, dim> counts;
+      Tensor<1, dim>                edges;
       double                        n_vertices = 1.;
       for (unsigned int d = 0; d < dim; ++d)
         {
@@ -33,11 +36,19 @@ namespace Cautery
                                " to " + to_text(settings.upper[d]) + " m in direction " + "xyz"[d] +
                                "; the second must be larger"));
           counts[d] = static_cast<unsigned int>(number);
+          edges[d]  = (settings.upper[d] - settings.lower[d]) / number;
           n_vertices *= number + 1.;
         }
       AssertThrow(n_vertices < 1e8,
                   ExcInput("Mesh/Subdivisions: the box would have " + to_text(n_vertices) +
                            " vertices; fewer than 100 million are possible"));
+      double volume = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
+        volume *= std::sqrt(dim) * edges[d] / edges.norm();
+      AssertThrow(volume > least_volume,
+                  ExcInput("Mesh/Subdivisions: cells of " + to_text(edges[0]) + " by " + to_text(edges[1]) +
+                           (dim == 3 ? " by " + to_text(edges[dim - 1]) : std::string()) +
+                           " m are drawn out too far to have a volume; subdivide the long sides more"));
       return counts;
     }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -105,28 +106,39 @@ namespace Cautery
       mesh.cells = std::move(unique);
     }
 
+    /// The largest distance between two of them.
+    template <int dim>
+    double diameter(const PlainMesh<dim> &mesh, const std::vector<unsigned int> &vertices)
+    {
+      double largest = 0.;
+      for (const unsigned int v : vertices)
+        for (const unsigned int w : vertices)
+          largest = std::max(largest, mesh.vertices[v].distance_square(mesh.vertices[w]));
+      return std::sqrt(largest);
+    }
+
     /**
-     * The determinants of the edges that leave a corner, divided by the edges' lengths: one for a simplex,
-     * one for each corner of a quadrilateral or hexahedron, where vertex c ^ 2^d is the neighbour of vertex c
-     * in direction d.
+     * The determinants of the edges that leave a corner, over that of a cube with the same diameter: one for
+     * a simplex, one for each corner of a quadrilateral or hexahedron, where vertex c ^ 2^d is the neighbour
+     * of vertex c in direction d.
      */
     template <int dim>
     std::vector<double> scaled_jacobians(const PlainMesh<dim>            &mesh,
                                          const std::vector<unsigned int> &vertices)
     {
       const bool          simplex = (vertices.size() == dim + 1);
+      const double        edge    = diameter(mesh, vertices) / std::sqrt(dim);
       std::vector<double> jacobians(simplex ? 1 : vertices.size());
       for (unsigned int c = 0; c < jacobians.size(); ++c)
         {
           Tensor<2, dim> edges;
-          double         lengths = 1.;
-          for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int d = 0; d < dim && edge > 0.; ++d)
             {
               const unsigned int neighbour = simplex ? d + 1 : c ^ (1u << d);
-              edges[d]                     = mesh.vertices[vertices[neighbour]] - mesh.vertices[vertices[c]];
-              lengths *= (neighbour > c ? 1. : -1.) * edges[d].norm();
+              edges[d] = (mesh.vertices[vertices[neighbour]] - mesh.vertices[vertices[c]]) /
+                         (neighbour > c ? edge : -edge);
             }
-          jacobians[c] = (lengths == 0. ? 0. : determinant(edges) / lengths);
+          jacobians[c] = determinant(edges);
         }
       return jacobians;
     }
@@ -134,20 +146,19 @@ namespace Cautery
     template <int dim>
     void turn_inverted_cells(PlainMesh<dim> &mesh, const std::string &name)
     {
-      const double round_off = 1e-12;
-      unsigned int turned    = 0;
+      unsigned int turned = 0;
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
         {
           auto      &vertices          = mesh.cells[c].vertices;
           const auto jacobians         = scaled_jacobians(mesh, vertices);
           const auto [lowest, highest] = std::minmax_element(jacobians.begin(), jacobians.end());
-          if (*lowest > round_off)
+          if (*lowest > least_volume)
             continue;
 
           const std::string cell = name + ": cell " + std::to_string(c + 1) + " " + place_of(mesh, vertices);
-          AssertThrow(*highest < -round_off || *highest > round_off,
+          AssertThrow(*highest < -least_volume || *highest > least_volume,
                       ExcInput(cell + " has no volume; remesh there or remove the cell"));
-          AssertThrow(*highest < -round_off,
+          AssertThrow(*highest < -least_volume,
                       ExcInput(cell + " is inverted or flat at some of its corners; remesh there"));
           if (vertices.size() == dim + 1)
             std::swap(vertices[dim - 1], vertices[dim]);

@@ -36,16 +36,16 @@ def run(program, words, folder):
     return answer.returncode, answer.stdout, answer.stderr.strip().replace(f"{folder}/", "")
 
 
-def wrong_answer(case, status, answer):
-    """What is wrong with an answer to a case: a list of texts."""
+def wrong_answer(case, status, answer, message):
+    """What is wrong with an answer to a case, which should complain with the message: a list of texts."""
     returned, said, complaint = answer
     found = [] if returned == status else [f"exit status {returned} instead of {status}"]
     if status == 0:
         found += [f"no `{text}` in:\n{said}" for text in case.says if text not in said]
         return found + [f"it complains: {complaint}"] * bool(complaint)
-    pattern = ".*".join(re.escape(text) for text in f"cautery: {case.message}".split("<any>"))
+    pattern = ".*".join(re.escape(text) for text in f"cautery: {message}".split("<any>"))
     if not re.fullmatch(pattern, complaint, re.DOTALL):
-        found.append(f"it says\n    {complaint}\ninstead of\n    cautery: {case.message}")
+        found.append(f"it says\n    {complaint}\ninstead of\n    cautery: {message}")
     return found
 
 
@@ -74,10 +74,11 @@ def wrong(program, case, folder):
     fails_later = case.last_good is not None
     found = []
     if case.check_too:
-        found += wrong_answer(case, case.status, run(program, ["check", *case.words()], folder))
+        found += wrong_answer(case, case.status, run(program, ["check", *case.words()], folder), case.message)
         if (folder / "out").exists():
             found.append("`check` wrote an output directory")
-    found += wrong_answer(case, case.status, run(program, case.words(), folder))
+    message = case.message + (f"; the last good state is that of t = {case.last_good:g} s" if fails_later else "")
+    found += wrong_answer(case, case.status, run(program, case.words(), folder), message)
     if fails_later:
         found += wrong_failure(case, folder / "out")
     elif case.status != 0 and sorted(entry.name for entry in folder.iterdir()) != sorted(["scene.prm", *case.files]):

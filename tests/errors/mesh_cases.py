@@ -41,6 +41,9 @@ MESH = [
     mesh("a flat cell",
          "scene.prm: Mesh file `body.msh`: cell 1 at (0.5, 0.5, 0) m has no volume; remesh there or remove the cell",
          meshes.flat()),
+    mesh("a cell that is drawn out",
+         "scene.prm: Mesh file `body.msh`: cell 1 at (0.25, 2500000, 0.25) m has no volume; remesh there or remove the cell",
+         meshes.drawn_out()),
     mesh("a twisted hexahedron",
          "scene.prm: Mesh file `body.msh`: cell 1 at (0.5, 0.5, 0.5) m is inverted or flat at some of its corners; "
          "remesh there",
@@ -98,4 +101,7 @@ MESH = [
     Case("too many cells",
          "scene.prm: Mesh/Subdivisions: the box would have 1e+12 vertices; fewer than 100 million are possible",
          ["Mesh/Subdivisions=9999"], check_too=True),
+    Case("rods instead of cells",
+         "scene.prm: Mesh/Subdivisions: cells of 5e-10 by 5e-10 by 0.005 m are drawn out too far to have a volume; "
+         "subdivide the long sides more", ["Mesh/Upper corner=1e-9, 1e-9, 0.01"], check_too=True),
 ]

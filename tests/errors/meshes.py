@@ -51,6 +51,11 @@ def flat():
     return text([*CORNERS[:3], (1, 1, 0)], [(TETRAHEDRON, 1, (1, 2, 3, 4))])
 
 
+def drawn_out():
+    """Ten million times longer than wide."""
+    return text([*CORNERS[:2], (0, 1e7, 0), (0, 0, 1)], [(TETRAHEDRON, 1, (1, 2, 3, 4))])
+
+
 def twisted():
     return text(CUBE, [(HEXAHEDRON, 1, (1, 2, 3, 4, 6, 5, 7, 8))])
 

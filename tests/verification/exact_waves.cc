@@ -135,6 +135,37 @@ namespace Verification
                         1e-8);
         }
     }
+    /**
+     * In a body without gradients no flux can lag: it is heated, dies all at once and is heated on without
+     * its blood as in Fourier's model, step by step.
+     */
+    void even_body_that_dies(Checks &checks)
+    {
+      for (const std::string integrator : {"backward Euler", "explicit"})
+        {
+          const auto by = [&integrator](const std::string &model, const std::string &perfusion_stops) {
+            return run("warm_block",
+                       {{"Effects/Deformation", "off"},
+                        {"Effects/Coupling", "off"},
+                        {"Effects/Heat", model},
+                        {"Effects/Perfusion", "on"},
+                        {"Effects/Damage", "Arrhenius"},
+                        {"Effects/Perfusion stops in dead tissue", perfusion_stops},
+                        {"Initial state/Temperature", "310"},
+                        {"Tissues/tissue/Perfusion rate", "50"},
+                        {"Heat sources/Names", "glow"},
+                        {"Heat sources/glow/Type", "uniform"},
+                        {"Heat sources/glow/Power", "2e7"},
+                        {"Time/Integrator", integrator},
+                        {"Time/Step", "0.1"}})
+              .end("inside", "temperature_K");
+          };
+          const double wanted = by("Fourier", "on");
+          checks.holds("the end of perfusion is felt", wanted - by("Fourier", "off") > 0.5);
+          checks.near(
+            "even body that dies, non-Fourier, " + integrator + ", K", by("non-Fourier", "on"), wanted, 1e-8);
+        }
+    }
   } // namespace
 
   void waves(Checks &checks)
@@ -147,5 +178,6 @@ namespace Verification
                     {"Initial state/Temperature", "310 + 10*sin(pi*x/0.005) + 4*sin(2*pi*x/0.005)"}});
     switched_source(checks);
     short_delay(checks);
+    even_body_that_dies(checks);
   }
 } // namespace Verification

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/physics/dead_nodes.h>
 #include <cautery/physics/heat_balance.h>
+#include <cautery/physics/held_records.h>
 #include <cautery/physics/tled_body.h>
 
 namespace Cautery
@@ -66,17 +68,11 @@ namespace Cautery
     double stable_step(const double rate) const;
 
   private:
-    struct Held
-    {
-      std::uint32_t     node;
-      const Expression *temperature;
-      Point<3>          place;
-    };
     void   assemble(const Vector *before, const Vector *now, const Vector *ln_damage);
     void   relax(const Step &step, const Records &flow);
     double brought(const std::uint32_t node, const Number heating) const;
     void   sum_settled(const Records &values);
-    bool   dead_changed(const State &state);
+    Vector delayed_exchange(const Vector &temperature) const;
 
     const Scene          &scene;
     const Field<3>       &field;
@@ -87,20 +83,20 @@ namespace Cautery
     const double          zero_temperature;
     Prescribed<3>         prescribed;
     HeatLoads<3>          outside;
-    std::vector<Held>     held;
-    std::size_t           n_settled = 0; ///< of those held: the first so many keep their temperature
+    HeldRecords<Number>   held; ///< temperatures
 
     // per own node
-    Vector       capacity;                           ///< int rho C N, J/K
-    Vector       relaxation;                         ///< m, J s/K; non-Fourier only
-    Vector       storage;                            ///< c, J/K
-    Vector       blood_weights;                      ///< int w N, W/K
-    Vector       surface_weights;                    ///< int h N, W/K
-    Vector       inside;                             ///< int (w T_b + Q_met) N, W
-    Vector       metabolic_rate;                     ///< int tau (change of Q_met over the last step) N, J
-    double       blood_source = 0., metabolism = 0.; ///< sums, W
-    unsigned int n_dead = 0;
-    Vector       last_temperature; ///< of the step before, K; where metabolism grows
+    Vector    capacity;                           ///< int rho C N, J/K
+    Vector    relaxation;                         ///< m, J s/K; non-Fourier only
+    Vector    storage;                            ///< c, J/K
+    Vector    blood_weights;                      ///< int w N, W/K
+    Vector    surface_weights;                    ///< int h N, W/K
+    Vector    inside;                             ///< int (w T_b + Q_met) N, W
+    Vector    impulse;                            ///< int tau (changes of Q_met and w (T_b - T)) N, J
+    double    blood_source = 0., metabolism = 0.; ///< sums, W
+    Vector    delayed_blood;                      ///< int tau w T_b N, J; non-Fourier only
+    DeadNodes dead;                               ///< where perfusion stops in them
+    Vector    last_temperature;                   ///< of the step before, K; where metabolism grows
 
     // the books: sums of this process but for those of HeatLoads, J
     typename HeatLoads<3>::Received received;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cautery/physics/held_records.h>
 #include <cautery/physics/outer_load.h>
 #include <cautery/physics/supports.h>
 #include <cautery/physics/tled_body.h>
@@ -45,18 +46,15 @@ namespace Cautery
     void release_rollers(Records &forces) const;
 
     /** Sets @p rates so that the prescribed displacements are those of @p to after a step of @p duration. */
-    void prescribe(const double to, const double duration, const Records &values, Records &rates);
+    void prescribe(const double to, const double duration, const Records &values, Records &rates)
+    {
+      held.set_rates(to, duration, 0., values, rates);
+    }
 
     /** The kinetic energy of all processes, J. Collective. */
     double kinetic_energy(const Records &rates) const;
 
   private:
-    struct Held
-    {
-      std::uint32_t     entry; ///< of the records
-      const Expression *displacement;
-      Point<3>          place;
-    };
     struct Roller
     {
       std::uint32_t entry; ///< the first of the node's record
@@ -68,8 +66,7 @@ namespace Cautery
     TledNodes<Number>  &nodes;
     const OuterLoad<3> &load;
     std::vector<double> mass;
-    std::vector<Held>   held;
-    std::size_t         n_settled = 0; ///< of those held: the first so many stay where they are
+    HeldRecords<Number> held; ///< displacements
     std::vector<Roller> rollers;
   };
 

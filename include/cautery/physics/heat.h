@@ -5,6 +5,7 @@
 #include <cautery/physics/heat_cell.h>
 #include <cautery/physics/heat_loads.h>
 #include <cautery/physics/prescribed.h>
+#include <cautery/physics/stopped_perfusion.h>
 #include <cautery/physics/temperature_limiter.h>
 
 #include <memory>
@@ -58,7 +59,7 @@ namespace Cautery
     }
     bool changes() const override
     {
-      return properties_change || perfusion_stops || scene.effects.metabolism == Effects::Metabolism::q10;
+      return properties_change || stopped != nullptr || scene.effects.metabolism == Effects::Metabolism::q10;
     }
     bool refresh(const State &state, const Vector &x) override;
     void limit(const Step &step, const State &state, const SparseMatrix &system, Vector &rate) override;
@@ -109,7 +110,6 @@ namespace Cautery
     void   distribute_metabolism(const double tau, HeatCellTerms<dim> &terms);
     void   assemble_metabolism(const Vector &temperature_before, const Vector &temperature_now);
     void   finish();
-    bool   dead_changed(const State &state);
     double coldest_data(const Step &step) const;
 
     const Scene              &scene;
@@ -118,7 +118,6 @@ namespace Cautery
     const BoundaryMap<dim>   &boundaries;
     const bool                non_fourier;
     const bool                properties_change;
-    const bool                perfusion_stops;
     Prescribed<dim>           prescribed;
     AffineConstraints<double> fixed;
     Elimination               eliminated;
@@ -133,9 +132,9 @@ namespace Cautery
     Vector                    inside; ///< int (w T_b + Q_met) N and, where Q_met changes, tau dQ_met/dt; W
     Bookkeeping               bookkeeping;
     bool                      assembled = false;
-    std::unique_ptr<TemperatureLimiter> limiter;
-    Vector                              lent_by_limiter;    ///< W
-    double                              coldest_start = 0.; ///< K
-    unsigned int                        n_dead        = 0;  ///< nodes
+    std::unique_ptr<TemperatureLimiter>    limiter;
+    Vector                                 lent_by_limiter;    ///< W
+    double                                 coldest_start = 0.; ///< K
+    std::unique_ptr<StoppedPerfusion<dim>> stopped; ///< where it stops in dead tissue, else nullptr
   };
 } // namespace Cautery

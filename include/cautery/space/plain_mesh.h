@@ -32,6 +32,10 @@ namespace Cautery
     std::vector<std::string> notes; ///< what was mended, for the log
   };
 
+  /** Where the determinant of a cell's edges is less than this, over that of a cube with the same diameter,
+   * deal.II calls the cell distorted. */
+  constexpr double least_volume = 1e-12;
+
   template <int dim>
   ReferenceCell reference_cell(const PlainMesh<dim> &mesh)
   {
@@ -45,8 +49,8 @@ namespace Cautery
    * a name.
    *
    * Errors: ExcInput, beginning with @p name, for coordinates that are not finite, cells or faces in two
-   * groups, cells without volume, cells that are inverted at some corners only, and faces that more than two
-   * cells share.
+   * groups, cells without volume (below least_volume), cells that are inverted at some corners only, and
+   * faces that more than two cells share.
    */
   template <int dim>
   void tidy(PlainMesh<dim> &mesh, const std::string &name);
