@@ -118,7 +118,7 @@ namespace Cautery
     parser->set_time(time);
     const double result = parser->value(place);
     if (!std::isfinite(result)) // the text of the place is costly: only where it is needed
-      checked(result, source, "(" + to_text(place) + ") m, " + to_text(time) + " s");
+      checked(result, source, "(" + to_short_text(place) + ") m, " + to_short_text(time) + " s");
     return result;
   }
 
@@ -215,7 +215,7 @@ namespace Cautery
       {
         const double result = parser->value(Point<1>(temperature));
         if (!std::isfinite(result))
-          checked(result, source, "T = " + to_text(temperature) + " K");
+          checked(result, source, "T = " + to_short_text(temperature) + " K");
         if (judged)
           judged(result, temperature);
         return result;

@@ -21,6 +21,19 @@ namespace Cautery
     return to_text(place[0]) + ", " + to_text(place[1]) + ", " + to_text(place[2]);
   }
 
+  std::string to_short_text(const double value)
+  {
+    std::array<char, 32> buffer;
+    const auto           result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 7);
+    return std::string(buffer.data(), result.ptr);
+  }
+
+  std::string to_short_text(const Point<3> &place)
+  {
+    return to_short_text(place[0]) + ", " + to_short_text(place[1]) + ", " + to_short_text(place[2]);
+  }
+
   std::string join(const std::vector<std::string> &texts, const std::string &separator)
   {
     std::string joined;
@@ -285,7 +298,7 @@ namespace Cautery
     value.judge_values(
       [bounds, entry = path(name) + " = " + given](const double v, const double temperature) {
         AssertThrow(bounds.contain(v),
-                    ExcRun(entry + " is " + to_text(v) + " at T = " + to_text(temperature) +
+                    ExcRun(entry + " is " + to_short_text(v) + " at T = " + to_short_text(temperature) +
                            " K, where it must be " + bounds.to_string() +
                            "; give an expression that holds at all temperatures of the run"));
       });

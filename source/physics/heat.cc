@@ -329,7 +329,7 @@ namespace Cautery
     AssertThrow(
       !outside.take_heat(step),
       ExcRun("Numerics/Temperature limiter = on, but a source or a flux takes heat away in the step to t = " +
-             to_text(step.to) + " s, so that no datum tells how cold the body may get; turn it off"));
+             to_short_text(step.to) + " s, so that no datum tells how cold the body may get; turn it off"));
     const double floor = std::min(coldest_data(step), state.temperature.min());
     lent_by_limiter    = 0.;
     Vector temperature = state.temperature;

@@ -15,11 +15,11 @@ namespace Cautery
                           std::holds_alternative<MicrowaveAntenna>(source.source);
       AssertThrow(
         !spread || share > 1e-3,
-        ExcInput("Heat sources/" + source.name + ": of 1 W only " + to_text(share) +
+        ExcInput("Heat sources/" + source.name + ": of 1 W only " + to_short_text(share) +
                  " W falls on the body; its Centre lies outside, or it is far narrower than the cells"));
       AssertThrow(
         !spread || share < 1.05,
-        ExcInput("Heat sources/" + source.name + ": of 1 W " + to_text(share) +
+        ExcInput("Heat sources/" + source.name + ": of 1 W " + to_short_text(share) +
                  " W would fall on the body: it is narrower than the cells; refine the mesh, or take a wider "
                  "source or one of type points"));
     }

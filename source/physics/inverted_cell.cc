@@ -11,9 +11,9 @@ namespace Cautery
 {
   std::string InvertedCell::message() const
   {
-    return "cell " + std::to_string(cell) + " at " + to_text(place) +
-           (jacobian > 0. ? " m is pressed to " + to_text(jacobian) + " of its volume" :
-                            " m is turned inside out (J = " + to_text(jacobian) + ")");
+    return "cell " + std::to_string(cell) + " at " + to_short_text(place) +
+           (jacobian > 0. ? " m is pressed to " + to_short_text(jacobian) + " of its volume" :
+                            " m is turned inside out (J = " + to_short_text(jacobian) + ")");
   }
 
   std::optional<InvertedCell> worst_of_all(const std::optional<InvertedCell> &own,

@@ -103,8 +103,8 @@ namespace Cautery
                                   without ? node_places(displacement)[*without] : Point<3>(),
                                   found.max_index);
       AssertThrow(false,
-                  ExcRun("stress and strain energy have no value at t = " + to_text(time) +
-                         " s at the node " + to_text(place) +
+                  ExcRun("stress and strain energy have no value at t = " + to_short_text(time) +
+                         " s at the node " + to_short_text(place) +
                          " m, around which the deformation is turned inside out; "
                          "refine the mesh there, or load the body less or in smaller steps"));
     }

@@ -117,7 +117,8 @@ namespace Cautery
     for (const double time : scene.output.output_times(scene.time.end))
       to_come += time > state.time ? 1 : 0;
     forecast.resume(to_come);
-    progress.say("Resumed at t = " + to_text(state.time) + " s, step " + std::to_string(state.step) + "\n");
+    progress.say("Resumed at t = " + to_short_text(state.time) + " s, step " + std::to_string(state.step) +
+                 "\n");
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         std::error_code error;
@@ -170,7 +171,7 @@ namespace Cautery
   Simulation<dim>::end_failed(const std::string &directory, const ExcRun &failure, Progress &progress)
   {
     std::string message =
-      message_of(failure) + "; the last good state is that of t = " + to_text(last_good.time) + " s";
+      message_of(failure) + "; the last good state is that of t = " + to_short_text(last_good.time) + " s";
     try
       {
         observe_last_good();
@@ -212,10 +213,11 @@ namespace Cautery
       foretell(state.time - from, timer.wall_time(), state.time);
     AssertThrow(state.step <= scene.time.max_steps,
                 ExcRun("Time/Largest number of steps = " + std::to_string(scene.time.max_steps) +
-                       " was reached at t = " + to_text(state.time) + " s; allow more, or larger steps"));
-    AssertThrow(
-      !scene.effects.has_heat() || std::isfinite(state.temperature.l1_norm()),
-      ExcRun("the temperature is not finite at t = " + to_text(state.time) + " s; take a smaller Time/Step"));
+                       " was reached at t = " + to_short_text(state.time) +
+                       " s; allow more, or larger steps"));
+    AssertThrow(!scene.effects.has_heat() || std::isfinite(state.temperature.l1_norm()),
+                ExcRun("the temperature is not finite at t = " + to_short_text(state.time) +
+                       " s; take a smaller Time/Step"));
     {
       const auto scope = cost.measure("output: extremes, last good state");
       audience->follow(state);
@@ -239,8 +241,8 @@ namespace Cautery
     meshes->change(*problem, next.body->mesh);
     use(std::move(next));
     last_good = state;
-    progress.say("t = " + to_text(state.time) + " s  mesh adapted: " + std::to_string(body->mesh.n_cells()) +
-                 " cells\n");
+    progress.say("t = " + to_short_text(state.time) +
+                 " s  mesh adapted: " + std::to_string(body->mesh.n_cells()) + " cells\n");
   }
 
   template <int dim>

@@ -12,7 +12,7 @@ namespace Cautery
     const double lowest = state.temperature.min();
     AssertThrow(lowest >= 0.,
                 ExcInput("Initial state/Temperature = " + scene.initial_temperature.text() +
-                         ": it falls to " + to_text(lowest) +
+                         ": it falls to " + to_short_text(lowest) +
                          " K in the body; temperatures are absolute, from 0 K on"));
     if (scene.effects.heat == Effects::Heat::non_fourier)
       state.temperature_rate = nodes.vector();

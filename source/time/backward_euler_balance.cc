@@ -140,8 +140,8 @@ namespace Cautery
       AssertThrow(are_left,
                   ExcRun("the iteration for " + name + " did not converge in " +
                          std::to_string(numerics.max_iterations) +
-                         " rounds in the step to t = " + to_text(step.to) + " s (last change " +
-                         to_text(change) + "); take a smaller Time/Step"));
+                         " rounds in the step to t = " + to_short_text(step.to) + " s (last change " +
+                         to_short_text(change) + "); take a smaller Time/Step"));
     }
   } // namespace
 

@@ -114,12 +114,13 @@ namespace Cautery
       return parts;
     // neo-Hookean tissue becomes the stiffer the more it is pressed
     const auto cell = motion != nullptr ? body.inverted(values, 0.5) : std::optional<InvertedCell>();
-    AssertThrow(false,
-                ExcRun((cell ? "at t = " + to_text(time) + " s " + cell->message() + ": " : std::string()) +
-                       "explicit steps of " + to_text(longest) + " s are too short: " + to_text(length) +
-                       " s take more than " + to_text(most_parts) + " of them; " +
-                       (cell ? "load the body more slowly or less, or refine the mesh there" :
-                               "take softer or denser tissue, larger cells, or implicit steps")));
+    AssertThrow(
+      false,
+      ExcRun((cell ? "at t = " + to_short_text(time) + " s " + cell->message() + ": " : std::string()) +
+             "explicit steps of " + to_short_text(longest) + " s are too short: " + to_short_text(length) +
+             " s take more than " + to_short_text(most_parts) + " of them; " +
+             (cell ? "load the body more slowly or less, or refine the mesh there" :
+                     "take softer or denser tissue, larger cells, or implicit steps")));
     return 0;
   }
 
@@ -312,7 +313,7 @@ namespace Cautery
       return;
     const auto cell = body.inverted(values);
     AssertThrow(false,
-                ExcRun("at t = " + to_text(time) + " s " +
+                ExcRun("at t = " + to_short_text(time) + " s " +
                        (cell ? cell->message() : std::string("a cell's deformation is not a number")) +
                        "; load the body more slowly or less, refine the mesh there, or lower "
                        "Numerics/Explicit/Safety factor"));

@@ -164,10 +164,10 @@ namespace Cautery
       }
     catch (const SolverControl::NoConvergence &)
       {
-        AssertThrow(
-          false,
-          ExcRun("heat and deformation together did not converge in the step to t = " + to_text(step.to) +
-                 " s; take a smaller Time/Step, or Effects/Coupling = expansion"));
+        AssertThrow(false,
+                    ExcRun("heat and deformation together did not converge in the step to t = " +
+                           to_short_text(step.to) +
+                           " s; take a smaller Time/Step, or Effects/Coupling = expansion"));
       }
     n_iterations += control.last_step();
   }

@@ -61,7 +61,7 @@ namespace Cautery
         values = rest_values;
         loads  = rest_loads;
         AssertThrow(false,
-                    ExcRun("no equilibrium found at t = " + to_text(state.time) + " s: " + failure +
+                    ExcRun("no equilibrium found at t = " + to_short_text(state.time) + " s: " + failure +
                            "; load the body less or in more output times, refine the mesh there, or choose "
                            "Numerics/Large equilibrium = Newton"));
       }
@@ -94,7 +94,7 @@ namespace Cautery
         approach(state, i < n_gradual ? n_gradual - i : 1);
         take_step();
       }
-    return "after " + std::to_string(settings.max_steps) + " steps forces of " + to_text(left) +
+    return "after " + std::to_string(settings.max_steps) + " steps forces of " + to_short_text(left) +
            " of those that act are still left over";
   }
 

@@ -29,7 +29,7 @@ namespace Cautery
 
     std::string at(const Worst &worst, const double time)
     {
-      return " at t = " + to_text(time) + " s at the node " + to_text(worst.place) + " m; ";
+      return " at t = " + to_short_text(time) + " s at the node " + to_short_text(worst.place) + " m; ";
     }
   } // namespace
 

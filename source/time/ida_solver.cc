@@ -195,7 +195,7 @@ namespace Cautery
 
     const bool finite = is_finite(y) && is_finite(y_dot);
     AssertThrow(Utilities::MPI::min(finite ? 1 : 0, memory->communicator) == 1,
-                ExcRun("The state that the integration should start from at t = " + to_text(time) +
+                ExcRun("The state that the integration should start from at t = " + to_short_text(time) +
                        " s is not finite."));
 
     memory->matrix->ops->zero           = &Callbacks::clear_matrix;
@@ -225,8 +225,8 @@ namespace Cautery
     Assert(memory, ExcMessage("restart() comes first."));
     AssertThrow(total.steps < max_steps,
                 ExcRun("The largest number of steps, " + std::to_string(max_steps) +
-                       ", is used up at t = " + to_text(current_time) + " s (last step " +
-                       to_text(total.last_step) + " s). Allow more steps or raise the tolerances."));
+                       ", is used up at t = " + to_short_text(current_time) + " s (last step " +
+                       to_short_text(total.last_step) + " s). Allow more steps or raise the tolerances."));
 
     void *const ida        = memory->ida.get();
     const auto  y_view     = make_nvector_view(y, memory->context.get());
@@ -291,9 +291,9 @@ namespace Cautery
     char             *text = IDAGetReturnFlagName(flag);
     const std::string name = text;
     std::free(text);
-    throw ExcRun(function + " stopped at t = " + to_text(current_time) + " s, after step " +
-                 std::to_string(total.steps) + " of " + to_text(total.last_step) + " s: " + name + ". " +
-                 message + " " + remedy(flag));
+    throw ExcRun(function + " stopped at t = " + to_short_text(current_time) + " s, after step " +
+                 std::to_string(total.steps) + " of " + to_short_text(total.last_step) + " s: " + name +
+                 ". " + message + " " + remedy(flag));
   }
 
   int IdaSolver::guard(const std::function<void()> &callback, const BlockVector *result)

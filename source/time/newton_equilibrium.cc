@@ -62,7 +62,7 @@ namespace Cautery
         if (step < settings.smallest_step && done > 0.)
           keep_borne(state, present, x, done);
         AssertThrow(step >= settings.smallest_step,
-                    ExcRun("no equilibrium found at t = " + to_text(state.time) + " s beyond " +
+                    ExcRun("no equilibrium found at t = " + to_short_text(state.time) + " s beyond " +
                            to_text(100. * done) + " % of the load's change: " + failure +
                            "; the body may give way under this load: load it less, load it in more output "
                            "times, refine the mesh there, or lower Numerics/Newton/Smallest load step"));
@@ -121,7 +121,7 @@ namespace Cautery
         must_move = false;
       }
     return "after " + std::to_string(settings.max_iterations) + " iterations of Newton's method forces of " +
-           to_text(history.back()) + " of those that act are still left over";
+           to_short_text(history.back()) + " of those that act are still left over";
   }
 
   /// An iteration that makes the prescribed @p moves, the rest of the body following as linear as it can.

@@ -170,6 +170,10 @@ namespace Cautery
   /** "x, y, z" of these. */
   std::string to_text(const Point<3> &place);
 
+  /** For people: with seven digits at most. */
+  std::string to_short_text(const double value);
+  std::string to_short_text(const Point<3> &place);
+
   /** One text of several, with @p separator between them. */
   std::string join(const std::vector<std::string> &texts, const std::string &separator = ", ");
 } // namespace Cautery
