@@ -50,10 +50,11 @@ namespace Cautery
       *vector = field.vector();
     if (non_fourier)
       {
-        relaxation    = field.vector();
-        impulse       = field.vector();
-        delayed_blood = field.vector();
-        conducted     = field.vector();
+        relaxation = field.vector();
+        impulse    = field.vector();
+        conducted  = field.vector();
+        if (scene.effects.perfusion_stops_in_dead_tissue)
+          delayed_blood = field.vector();
       }
     assemble(nullptr, nullptr, nullptr);
   }
@@ -96,7 +97,8 @@ namespace Cautery
           {
             add(relaxation, [&](const unsigned int i) { return tau * terms.capacity(i, i); });
             add(impulse, [&](const unsigned int i) { return tau * terms.metabolism_growth(i); });
-            add(delayed_blood, [&](const unsigned int i) { return tau * terms.blood_source(i); });
+            if (scene.effects.perfusion_stops_in_dead_tissue)
+              add(delayed_blood, [&](const unsigned int i) { return tau * terms.blood_source(i); });
           }
       }
     for (Vector *vector : vectors)

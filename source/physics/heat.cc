@@ -5,7 +5,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <utility>
 
 namespace Cautery
 {
@@ -61,7 +60,9 @@ namespace Cautery
     initialize_matrices();
     initialize_books();
     if (scene.effects.perfusion_stops_in_dead_tissue)
-      stopped = std::make_unique<StoppedPerfusion<dim>>(field, non_fourier, conduction.full);
+      // IDA would have to start anew for every impulse
+      stopped = std::make_unique<StoppedPerfusion<dim>>(
+        field, non_fourier && scene.time.integrator != TimeSettings::Integrator::ida, conduction.full);
     if (!changes())
       assemble(nullptr, nullptr, nullptr);
     if (scene.numerics.temperature_limiter)

@@ -5,11 +5,11 @@ namespace Cautery
 {
   template <int dim>
   StoppedPerfusion<dim>::StoppedPerfusion(const Field<dim>   &field,
-                                          const bool          relaxes,
+                                          const bool          has_impulse,
                                           const SparseMatrix &like)
-    : relaxes(relaxes)
+    : has_impulse(has_impulse)
   {
-    if (!relaxes)
+    if (!has_impulse)
       return;
     exchange.reinit(like);
     blood_source = field.vector();
@@ -18,7 +18,7 @@ namespace Cautery
   template <int dim>
   void StoppedPerfusion<dim>::clear()
   {
-    if (!relaxes)
+    if (!has_impulse)
       return;
     exchange     = 0.;
     blood_source = 0.;
@@ -29,7 +29,7 @@ namespace Cautery
                                   const HeatCellTerms<dim>        &terms,
                                   const AffineConstraints<double> &constraints)
   {
-    if (!relaxes)
+    if (!has_impulse)
       return;
     FullMatrix<double> product = terms.exchange;
     product *= tau;
@@ -42,7 +42,7 @@ namespace Cautery
   template <int dim>
   void StoppedPerfusion<dim>::compress()
   {
-    if (!relaxes)
+    if (!has_impulse)
       return;
     exchange.compress(VectorOperation::add);
     blood_source.compress(VectorOperation::add);
@@ -60,14 +60,14 @@ namespace Cautery
   template <int dim>
   void StoppedPerfusion<dim>::before_change(const State &state)
   {
-    if (relaxes)
+    if (has_impulse)
       impulse = delayed(state.temperature);
   }
 
   template <int dim>
   void StoppedPerfusion<dim>::after_change(const State &state)
   {
-    if (!relaxes)
+    if (!has_impulse)
       return;
     impulse -= delayed(state.temperature);
     fell_at = state.time;

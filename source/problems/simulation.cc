@@ -135,6 +135,7 @@ namespace Cautery
     archive.section("problem", [&]() { problem->archive(archive, state); });
     audience->archive(archive);
     archive.shared("last output", observed);
+    written = observed;
     fail_together(communicator, [&]() {
       audience->archive_files(archive);
       progress.archive(state.time, archive);
@@ -170,11 +171,12 @@ namespace Cautery
   std::string
   Simulation<dim>::end_failed(const std::string &directory, const ExcRun &failure, Progress &progress)
   {
-    std::string message =
-      message_of(failure) + "; the last good state is that of t = " + to_short_text(last_good.time) + " s";
+    std::string message = message_of(failure);
     try
       {
         observe_last_good();
+        if (written == last_good.time)
+          message += "; the last good state is that of t = " + to_short_text(last_good.time) + " s";
         message += observe_last_borne();
         finish(last_good, directory, "failed", message, progress);
       }
@@ -300,6 +302,7 @@ namespace Cautery
         loop_seconds += timer.wall_time();
     }
     audience->look(state, *problem);
+    written = state.time;
     forecast.add_output(whole.wall_time());
   }
 

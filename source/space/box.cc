@@ -42,9 +42,11 @@ namespace Cautery
       AssertThrow(n_vertices < 1e8,
                   ExcInput("Mesh/Subdivisions: the box would have " + to_text(n_vertices) +
                            " vertices; fewer than 100 million are possible"));
-      double volume = 1.;
+      const double longest  = *std::max_element(edges.begin_raw(), edges.end_raw());
+      const double diameter = (edges / longest).norm(); // of a cell of this length
+      double       volume   = 1.;
       for (unsigned int d = 0; d < dim; ++d)
-        volume *= std::sqrt(dim) * edges[d] / edges.norm();
+        volume *= std::sqrt(dim) * (edges[d] / longest) / diameter;
       AssertThrow(volume > least_volume,
                   ExcInput("Mesh/Subdivisions: cells of " + to_text(edges[0]) + " by " + to_text(edges[1]) +
                            (dim == 3 ? " by " + to_text(edges[dim - 1]) : std::string()) +

@@ -135,6 +135,7 @@ namespace Verification
                         1e-8);
         }
     }
+
     /**
      * In a body without gradients no flux can lag: it is heated, dies all at once and is heated on without
      * its blood as in Fourier's model, step by step.

@@ -94,7 +94,7 @@ namespace Cautery
     Vector    inside;                             ///< int (w T_b + Q_met) N, W
     Vector    impulse;                            ///< int tau (changes of Q_met and w (T_b - T)) N, J
     double    blood_source = 0., metabolism = 0.; ///< sums, W
-    Vector    delayed_blood;                      ///< int tau w T_b N, J; non-Fourier only
+    Vector    delayed_blood;                      ///< int tau w T_b N, J; for the impulse only
     DeadNodes dead;                               ///< where perfusion stops in them
     Vector    last_temperature;                   ///< of the step before, K; where metabolism grows
 

@@ -18,8 +18,9 @@ namespace Cautery
   class StoppedPerfusion
   {
   public:
-    /** @p relaxes: the non-Fourier model. @p like has the pattern of the matrices. */
-    StoppedPerfusion(const Field<dim> &field, const bool relaxes, const SparseMatrix &like);
+    /** @p has_impulse: in the non-Fourier model, where the integrator takes it. @p like has the pattern of
+     * the matrices. */
+    StoppedPerfusion(const Field<dim> &field, const bool has_impulse, const SparseMatrix &like);
 
     /** Is another node dead in @p state than before? Collective. */
     bool update(const State &state) { return dead.update(state.ln_damage); }
@@ -46,8 +47,9 @@ namespace Cautery
     /// int tau w (T - T_b) N + int tau h T N
     Vector delayed(const Vector &temperature) const;
 
-    const bool   relaxes;
-    DeadNodes    dead;
+    const bool has_impulse;
+    DeadNodes  dead;
+    // C - int rho C N N is the same, but not bit for bit in a resumed run, where C depends on temperature
     SparseMatrix exchange;     ///< int tau w N N + int tau h N N
     Vector       blood_source; ///< int tau w T_b N
     Vector       impulse;      ///< by which int tau w (T - T_b) N has fallen, J per node

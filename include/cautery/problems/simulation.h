@@ -80,6 +80,7 @@ namespace Cautery
     Forecast                          forecast;
     State                             last_good;          ///< after the last complete step
     double                            observed     = -1.; ///< s; when the outputs were last asked
+    double                            written      = -1.; ///< s; and had all been written
     double                            loop_seconds = 0.;
     std::optional<double>             resumed_from;     ///< s
     unsigned int                      resumed_step = 0; ///< 0: the run began at its start
