@@ -9,25 +9,25 @@
 
 namespace Cautery
 {
-  std::string to_text(const double value)
+  namespace
   {
-    std::array<char, 32> buffer;
-    const auto           result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return std::string(buffer.data(), result.ptr);
-  }
+    template <typename... Format>
+    std::string written(const double value, const Format... format)
+    {
+      std::array<char, 32> buffer;
+      const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format...);
+      return std::string(buffer.data(), result.ptr);
+    }
+  } // namespace
+
+  std::string to_text(const double value) { return written(value); }
 
   std::string to_text(const Point<3> &place)
   {
     return to_text(place[0]) + ", " + to_text(place[1]) + ", " + to_text(place[2]);
   }
 
-  std::string to_short_text(const double value)
-  {
-    std::array<char, 32> buffer;
-    const auto           result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 7);
-    return std::string(buffer.data(), result.ptr);
-  }
+  std::string to_short_text(const double value) { return written(value, std::chars_format::general, 7); }
 
   std::string to_short_text(const Point<3> &place)
   {

@@ -245,20 +245,15 @@ namespace Cautery
           assemble_metabolism(state.temperature, x);
         return false;
       }
-    const Vector before = field.ghosted(state.temperature);
-    const Vector now    = field.ghosted(x);
-    if (stopped)
-      {
-        const bool   change    = died && assembled;
-        const Vector ln_damage = field.ghosted(state.ln_damage);
-        if (change)
-          stopped->before_change(state);
-        assemble(&before, &now, &ln_damage);
-        if (change)
-          stopped->after_change(state);
-      }
-    else
-      assemble(&before, &now, nullptr);
+    const Vector before    = field.ghosted(state.temperature);
+    const Vector now       = field.ghosted(x);
+    const Vector ln_damage = stopped ? field.ghosted(state.ln_damage) : Vector();
+    const bool   change    = died && assembled;
+    if (change)
+      stopped->before_change(state);
+    assemble(&before, &now, stopped ? &ln_damage : nullptr);
+    if (change)
+      stopped->after_change(state);
     return true;
   }
 

@@ -48,8 +48,6 @@ namespace Cautery
     audience->write_to(directory);
     if (voice == Voice::speaks) // runs of a study are short, and end as it does
       safekeeper = std::make_unique<Safekeeper<dim>>(directory, scene, *body, *problem, cost);
-    if (resume_it && scene.mesh.adaptive.is_on())
-      take_stored_mesh(state);
     last_good    = state;
     bool stopped = false;
     if (resume_it) // until the state is there, nothing must be written for it
@@ -105,6 +103,8 @@ namespace Cautery
   template <int dim>
   void Simulation<dim>::resume(const std::string &directory, State &state, Progress &progress)
   {
+    if (scene.mesh.adaptive.is_on())
+      take_stored_mesh(state);
     progress.say(description(scene, *body, *problem)); // which the log has already
     progress.log_to(directory + "/log.txt");
     Archive stored = safekeeper->checkpoint().read();

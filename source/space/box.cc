@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cautery/space/box.h>
 
-#include <deal.II/base/tensor.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,12 +40,10 @@ namespace Cautery
       AssertThrow(n_vertices < 1e8,
                   ExcInput("Mesh/Subdivisions: the box would have " + to_text(n_vertices) +
                            " vertices; fewer than 100 million are possible"));
-      const double longest  = *std::max_element(edges.begin_raw(), edges.end_raw());
-      const double diameter = (edges / longest).norm(); // of a cell of this length
-      double       volume   = 1.;
+      Tensor<2, dim> scaled; // so that nothing overflows
       for (unsigned int d = 0; d < dim; ++d)
-        volume *= std::sqrt(dim) * (edges[d] / longest) / diameter;
-      AssertThrow(volume > least_volume,
+        scaled[d][d] = edges[d] / *std::max_element(edges.begin_raw(), edges.end_raw());
+      AssertThrow(relative_volume(scaled, scaled.norm()) > least_volume,
                   ExcInput("Mesh/Subdivisions: cells of " + to_text(edges[0]) + " by " + to_text(edges[1]) +
                            (dim == 3 ? " by " + to_text(edges[dim - 1]) : std::string()) +
                            " m are drawn out too far to have a volume; subdivide the long sides more"));

@@ -2,7 +2,6 @@
 #include <cautery/base/parameters.h>
 #include <cautery/space/plain_mesh.h>
 
-#include <deal.II/base/tensor.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -118,29 +117,28 @@ namespace Cautery
     }
 
     /**
-     * The determinants of the edges that leave a corner, over that of a cube with the same diameter: one for
-     * a simplex, one for each corner of a quadrilateral or hexahedron, where vertex c ^ 2^d is the neighbour
-     * of vertex c in direction d.
+     * By the edges that leave a corner: one for a simplex, one for each corner of a quadrilateral or
+     * hexahedron, where vertex c ^ 2^d is the neighbour of vertex c in direction d.
      */
     template <int dim>
-    std::vector<double> scaled_jacobians(const PlainMesh<dim>            &mesh,
+    std::vector<double> relative_volumes(const PlainMesh<dim>            &mesh,
                                          const std::vector<unsigned int> &vertices)
     {
       const bool          simplex = (vertices.size() == dim + 1);
-      const double        edge    = diameter(mesh, vertices) / std::sqrt(dim);
-      std::vector<double> jacobians(simplex ? 1 : vertices.size());
-      for (unsigned int c = 0; c < jacobians.size(); ++c)
+      const double        longest = diameter(mesh, vertices);
+      std::vector<double> volumes(simplex ? 1 : vertices.size());
+      for (unsigned int c = 0; c < volumes.size(); ++c)
         {
           Tensor<2, dim> edges;
-          for (unsigned int d = 0; d < dim && edge > 0.; ++d)
+          for (unsigned int d = 0; d < dim; ++d)
             {
               const unsigned int neighbour = simplex ? d + 1 : c ^ (1u << d);
-              edges[d] = (mesh.vertices[vertices[neighbour]] - mesh.vertices[vertices[c]]) /
-                         (neighbour > c ? edge : -edge);
+              edges[d] = (mesh.vertices[vertices[neighbour]] - mesh.vertices[vertices[c]]) *
+                         (neighbour > c ? 1. : -1.);
             }
-          jacobians[c] = determinant(edges);
+          volumes[c] = relative_volume(edges, longest);
         }
-      return jacobians;
+      return volumes;
     }
 
     template <int dim>
@@ -150,8 +148,8 @@ namespace Cautery
       for (unsigned int c = 0; c < mesh.cells.size(); ++c)
         {
           auto      &vertices          = mesh.cells[c].vertices;
-          const auto jacobians         = scaled_jacobians(mesh, vertices);
-          const auto [lowest, highest] = std::minmax_element(jacobians.begin(), jacobians.end());
+          const auto volumes           = relative_volumes(mesh, vertices);
+          const auto [lowest, highest] = std::minmax_element(volumes.begin(), volumes.end());
           if (*lowest > least_volume)
             continue;
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A run is stopped by SIGTERM three times, first as it begins, and resumed: what it leaves is what it would have left, bit for bit, and on another
-number of processes but for 1e-9. Where tissue is dying, it is stopped after each step. Usage: resume.py CAUTERY CASE PROCESSES [OTHER_PROCESSES]"""
-import itertools
-import json
+number of processes but for 1e-9. Usage: resume.py CAUTERY CASE PROCESSES [OTHER_PROCESSES]"""
 import pathlib
 import sys
 import tempfile
@@ -27,31 +25,12 @@ def stop(program, words, out, after, *more):
     assert (program.out(out) / "checkpoint.h5").exists()
 
 
-def stop_often(program, words, out):
-    """After each step that it tells of, till it is done. Returns how many runs that took."""
-    more = []
-    for runs in itertools.count(1):
-        process = program.start(words, out, *more)
-        _, complaint = interrupt(process, 1)
-        if process.returncode == 0:
-            return runs
-        assert "stopped by a signal" in complaint, complaint
-        more = ["--resume"]
-
-
 def main(cautery, name, processes, others):
     words = [*cases.words(name), *(TIGHT if others else [])]
     with tempfile.TemporaryDirectory() as folder:
         program = Program(folder, cautery, processes)
         program.run(words, "whole")
         steps = count_steps(program.out("whole"))
-        if name.startswith("dying"):
-            runs = stop_often(program, words, "broken")
-            dead = json.loads((program.out("whole") / "summary.json").read_text())["extremes"]["ln_damage_max"]
-            assert runs > 5 and dead > 0, (runs, dead)
-            assert_identical(program.out("broken"), program.out("whole"))
-            print(runs, "runs for", steps, "steps")
-            return
         stop(program, words, "broken", 0)
         stop(program, words, "broken", steps // 5, "--resume")
         stop(program, words, "broken", steps // 4, "--resume")

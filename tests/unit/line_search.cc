@@ -2,9 +2,10 @@
 // The line search by itself: where it stays, on balances that are met in different ways.
 #include <cautery/time/line_search.h>
 
-#include <cmath>
+#include <functional>
 #include <iostream>
 #include <limits>
+#include <string>
 
 namespace
 {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
 #include <deal.II/grid/reference_cell.h>
 #include <deal.II/grid/tria_description.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -32,8 +34,14 @@ namespace Cautery
     std::vector<std::string> notes; ///< what was mended, for the log
   };
 
-  /** Where the determinant of a cell's edges is less than this, over that of a cube with the same diameter,
-   * deal.II calls the cell distorted. */
+  /** The determinant of the @p edges of a cell, over that of a cube with the same @p diameter. */
+  template <int dim>
+  double relative_volume(const Tensor<2, dim> &edges, const double diameter)
+  {
+    return diameter > 0. ? determinant(edges / (diameter / std::sqrt(dim))) : 0.;
+  }
+
+  /** deal.II calls a cell of a smaller relative volume distorted. */
   constexpr double least_volume = 1e-12;
 
   template <int dim>
